@@ -8,11 +8,15 @@ knows, such as the strokes that are gained on a hole, is registered where that c
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import cache
 from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import UnknownNameError
+from clubface.support.checks import check_choice
 
 __all__ = [
     "Quantity",
@@ -23,9 +27,32 @@ __all__ = [
     "format_value",
     "quantities",
     "quantity",
+    "read_in",
     "register_quantity",
     "unit_text",
 ]
+
+
+SYSTEMS = ("golf", "metric")
+"""Systems of units that people read: mph and yards, or m/s and metres."""
+_system: ContextVar[str] = ContextVar("system of units", default="golf")
+
+
+@contextmanager
+def read_in(system: str) -> Iterator[None]:
+    """Write sentences, tables and pictures in the units of ``system``, "golf" or "metric", while the context lasts.
+
+    Raises
+    ------
+    InputError
+        If there is no such system.
+    """
+    check_choice("units", system, SYSTEMS)
+    before = _system.set(system)
+    try:
+        yield
+    finally:
+        _system.reset(before)
 
 
 class Reading(NamedTuple):
@@ -75,6 +102,11 @@ class Quantity(NamedTuple):
     def dimension(self) -> str:
         """The dimension, as in ``units``."""
         return units.unit(self.unit).dimension
+
+    @property
+    def reading(self) -> Reading:
+        """How people read it in the system of :func:`read_in`."""
+        return self.metric if _system.get() == "metric" else self.golf
 
     def digits(self, unit: str) -> int:
         """Return the places behind the point with which it is read in ``unit``: those of the nearest known reading."""
@@ -140,7 +172,7 @@ def quantity(name: str, unit: str | None = None) -> Quantity:
 
 def display_unit(name: str, unit: str) -> str:
     """Return the unit people read the quantity called ``name`` in, which is held in the SI ``unit``."""
-    return _reading_of(name, unit).golf.unit
+    return _reading_of(name, unit).reading.unit
 
 
 def file_unit(name: str, unit: str) -> str:
@@ -169,13 +201,16 @@ def format_number(value: float | None, digits: int = 1, *, signed: bool = False)
 
 def format_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
     """Write an SI value with its unit as people read it: "166.4 mph", "3.7%"."""
-    unit = quantity.golf.unit if unit is None else unit
-    return with_unit(bare_value(value, quantity, unit, digits), unit)
+    return with_unit(bare_value(value, quantity, unit, digits), quantity.reading.unit if unit is None else unit)
 
 
 def bare_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
     """Write an SI value as :func:`format_value` does, without its unit: "166.4"."""
-    unit = quantity.golf.unit if unit is None else unit
+    if unit is None:
+        unit = quantity.reading.unit
+        # Digits that were chosen for mph are one too few for m/s.
+        if digits is not None and units.size(unit) > 2.0 * units.size(quantity.golf.unit):
+            digits += 1
     digits = quantity.digits(unit) if digits is None else digits
     return format_number(float(units.from_si(value, unit)), digits)
 

@@ -72,6 +72,22 @@ def test_the_report_is_that_of_the_command_and_runs_no_script(studio):
     assert saved.text == report.text
 
 
+def test_sentences_are_in_the_units_that_are_asked_for(studio):
+    place = added(studio, session(40), "session.csv").headers["location"]
+    golf, metric = (studio.get(f"{place}/golfer", params={"units": each}).json() for each in ("golf", "metric"))
+    assert golf["tables"] == metric["tables"]
+    of_speed = [next(each for each in every["summary"] if each["code"] == "golfer-speed") for every in (golf, metric)]
+    texts, speed = [each["text"] for each in of_speed], of_speed[0]["data"]["speed_mps"]
+    assert f"{speed / 0.44704:.0f} mph" in texts[0]
+    # A digit more than of mph, since a step of 1 m/s is twice as coarse.
+    assert f"{speed:.1f} m/s" in texts[1]
+    assert golf == studio.get(f"{place}/golfer").json()
+    assert "mph" not in studio.get(f"{place}/report", params={"units": "metric"}).text
+    refused = studio.get(f"{place}/golfer", params={"units": "stones"})
+    assert refused.status_code == 422
+    assert refused.json()["allowed"] is not None
+
+
 def test_the_golfer_is_that_of_the_command(studio, clubface_, tmp_path):
     path = tmp_path / "session.csv"
     path.write_bytes(session())

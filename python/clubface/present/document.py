@@ -308,7 +308,7 @@ def _cell(text: str) -> str:
 
 
 def _linked(text: str) -> str:
-    """Return a text as HTML, the addresses in it as links."""
+    """Return a text as HTML: the addresses in it as links, commands between backticks as code."""
     result, end = [], 0
     for each in _ADDRESS.finditer(text):
         words = each[0].rstrip(".,;:")
@@ -316,7 +316,7 @@ def _linked(text: str) -> str:
         result += [html.escape(text[end : each.start()]), f'<a href="{html.escape(address.rstrip(".,;:"))}">']
         result.append(f"{html.escape(words)}</a>")
         end = each.start() + len(words)
-    return "".join(result) + html.escape(text[end:])
+    return re.sub("`([^`<]+)`", r"<code>\1</code>", "".join(result) + html.escape(text[end:]))
 
 
 def _in_the_page(text: str, kind: str) -> str:

@@ -160,7 +160,7 @@ def entry_text(name: str, value: Any) -> str:
     if not isinstance(value, (list, tuple)):
         return f"{known.label} {format_value(value, known)}"
     numbers = " ± ".join(bare_value(each, known) for each in value)
-    return f"{known.label} {with_unit(numbers, known.golf.unit)}"
+    return f"{known.label} {with_unit(numbers, known.reading.unit)}"
 
 
 def _quantity_of(name: str) -> Quantity | None:

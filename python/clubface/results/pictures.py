@@ -58,7 +58,7 @@ class Axis:
     @property
     def unit_drawn(self) -> str:
         """The unit in which it is drawn."""
-        return self.unit or (self.quantity.golf.unit if self.quantity is not None else "1")
+        return self.unit or (self.quantity.reading.unit if self.quantity is not None else "1")
 
     @property
     def heading(self) -> str:

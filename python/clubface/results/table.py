@@ -123,7 +123,7 @@ class Column:
         if quantity is None:
             return "1"
         asked = shown_units or {}
-        return asked.get(quantity.name) or asked.get(self.name) or self.unit or quantity.golf.unit
+        return asked.get(quantity.name) or asked.get(self.name) or self.unit or quantity.reading.unit
 
     @property
     def _signed(self) -> bool:

@@ -97,7 +97,7 @@ def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
         values = values[np.isfinite(values)]
         if not values.any():
             continue
-        unit = quantity(name).golf.unit
+        unit = quantity(name).reading.unit
         low, high = float(values.min()), float(values.max())
         yield name.replace("_", " "), show(low, unit) if low == high else show_range(low, high, unit)
 

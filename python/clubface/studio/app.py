@@ -8,12 +8,14 @@ from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
-from starlette.routing import Mount, Route
+from starlette.routing import Mount, Route, Router
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from clubface.design.golfer import golfers
 from clubface.design.optimisation.study import JUDGED
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.errors import ClubfaceError
+from clubface.quantities import read_in
 from clubface.shots.monitors import FORMATS
 from clubface.studio.answers import document, mistake, refusal
 from clubface.studio.files import file_routes
@@ -79,7 +81,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
         **dict.fromkeys(EXPECTED, failed),
         Exception: failed,
     }
-    routes = [Mount("/api", routes=api), *site_routes(site)]
+    routes = [Mount("/api", app=_in_units(Router(routes=api))), *site_routes(site)]
 
     def close() -> None:
         jobs.close()
@@ -87,3 +89,13 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
             live.signal.close()
 
     return Guard(Starlette(routes=routes, exception_handlers=handlers), token, close)
+
+
+def _in_units(application: ASGIApp) -> ASGIApp:
+    """Return an application that answers in the units that ``units`` of a request names, "golf" unless given."""
+
+    async def answer_in_units(scope: Scope, receive: Receive, send: Send) -> None:
+        with read_in(Request(scope).query_params.get("units", "golf")):
+            await application(scope, receive, send)
+
+    return answer_in_units

@@ -1,5 +1,7 @@
 /** What the Python package answers a page that it serves: files, reports, fittings, studies, live shots. */
 
+import type { System } from "../quantities/formatter";
+
 export type Cell = string | number | boolean | null;
 export type Row = Record<string, Cell>;
 
@@ -93,6 +95,8 @@ export interface Live {
 }
 
 export interface Session {
+  /** The units of the sentences that were asked for. */
+  system: System;
   /** Where the package answers, null on a site that it does not serve. */
   api: string | null;
   offers: Asked<Offers>;
@@ -117,6 +121,7 @@ export const NOTHING: { state: "none" } = { state: "none" };
 const EMPTY: TableDocument = { columns: {}, rows: [] };
 
 export const initialSession = (api: string | null): Session => ({
+  system: "golf",
   api,
   offers: NOTHING,
   file: NOTHING,

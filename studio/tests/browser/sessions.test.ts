@@ -123,6 +123,14 @@ describe("a file", () => {
     expect(await page.locator('select[name="golfer-club"]').inputValue()).toBe("driver");
     const driver = await page.getByRole("row", { name: /club speed/ }).textContent();
     expect(driver).toMatch(/9\d\.\d mph/);
+    // Its sentences are in the units of the page, and golfers of the package have their titles.
+    const sentences = page.locator("section[aria-labelledby=golfer] :is(p, li)");
+    await expect.poll(async () => (await sentences.allTextContents()).join()).toMatch(/\d mph/);
+    expect((await sentences.allTextContents()).join()).not.toMatch(/bogey-driver|\d deg\b/);
+    await page.locator('select[name="units"]').selectOption("metric");
+    await expect.poll(async () => (await sentences.allTextContents()).join()).toMatch(/\d m\/s/);
+    expect((await sentences.allTextContents()).join()).not.toMatch(/\d mph/);
+    await page.locator('select[name="units"]').selectOption("golf");
     await page.locator('select[name="golfer-club"]').selectOption("7-iron");
     await page.getByText("my golfer, 7-iron").waitFor();
     expect(await page.getByRole("row", { name: /club speed/ }).textContent()).not.toBe(driver);

@@ -155,7 +155,7 @@ SENTENCES = {
     ),
     "player-practise-carry": (
         "{club}: the {quantity}. It differs by {spread:values} (one standard deviation), which by itself "
-        "spreads the carry by {part_carry:0}, of {spread_carry:0} in all."
+        "would spread the carry by {part_carry:0}; everything together spreads it by {spread_carry:0}."
     ),
     "player-practise-mishits": (
         "{club}: the strike. {mishits:n mishit} in {shots:n shot} {mishits:?costs/cost} {lost_carry:0} a shot in the "
@@ -164,11 +164,12 @@ SENTENCES = {
     "player-practise-nothing": "No single part of the swing stands out in what was measured.",
     "player-practise-side": (
         "{club}: the {quantity}. It differs by {spread:values} (one standard deviation), which by itself "
-        "spreads the shots by {part_side:0} to either side, of {spread_side:0} in all."
+        "would spread the shots by {part_side:0} to either side; everything together spreads them by {spread_side:0}."
     ),
     "player-practise-start": (
         "{club}: the start direction. It differs by {spread_azimuth:1} (one standard deviation), which by itself "
-        "spreads the shots by {part_side:0} to either side, of {spread_side:0} in all; the rest is curve."
+        "would spread the shots by {part_side:0} to either side; everything together, curve included, spreads them by "
+        "{spread_side:0}."
     ),
     "player-practise-unknown": (
         "No club data was measured, so that this report cannot say which part of the swing causes the spread."

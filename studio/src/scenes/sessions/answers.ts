@@ -6,12 +6,12 @@ import { ballName, clubName } from "../../equipment/names";
 import { gap, withUnit } from "../../quantities/formatter";
 import type {
   Asked,
-  Cell,
   ColumnDocument,
   NoteDocument,
   ResultDocument,
   Row,
   ServerMistake,
+  TableDocument,
 } from "../../state/session";
 import type { Theme } from "../../state/state";
 
@@ -28,12 +28,24 @@ export function waiting<T>(asked: Asked<T>, words: string): TemplateResult | typ
 export const noFile = (): TemplateResult =>
   html`<p class="remark">Choose the file of a launch monitor above, or drop it on the page.</p>`;
 
-export const notesList = (notes: readonly NoteDocument[], title = "Notes"): TemplateResult | typeof nothing =>
+/** A sentence of the package in the words of the page: the titles of golfers for their names, and its sign for degrees. */
+function sentence({ equipment }: Pick<Context, "equipment">, { text }: NoteDocument): string {
+  const named = text.replace(/\b[a-z0-9]+(?:-[a-z0-9]+)+\b/g, (name) =>
+    Object.hasOwn(equipment.golfers, name) ? `“${equipment.golfers[name].title}”` : name,
+  );
+  return named.replace(/(\d) deg\b/g, "$1°");
+}
+
+export const notesList = (
+  context: Context,
+  notes: readonly NoteDocument[],
+  title = "Notes",
+): TemplateResult | typeof nothing =>
   notes.length
     ? html`<details ?open=${notes.length < 4}>
         <summary>${title} (${notes.length})</summary>
         <ul>
-          ${notes.map(({ text }) => html`<li>${text}</li>`)}
+          ${notes.map((note) => html`<li>${sentence(context, note)}</li>`)}
         </ul>
       </details>`
     : nothing;
@@ -41,7 +53,7 @@ export const notesList = (notes: readonly NoteDocument[], title = "Notes"): Temp
 /** A column without a unit of its own may have one in each row. */
 const UNIT_OF_ROW = "unit";
 /** Digits that count of a number whose quantity the core does not know. */
-const DIGITS = 4;
+const DIGITS = 3;
 /** The quantity whose unit and digits stand for a length of the flight that the package alone knows. */
 const LENGTH = "carry";
 const NAMELESS = ["quantity", UNIT_OF_ROW];
@@ -70,24 +82,33 @@ const words = ({ formatter, equipment }: Context, text: string): string =>
       ? ballName({ equipment }, clubName({ equipment }, text))
       : /^[a-z]+(_[a-z]+)+$/.test(text)
         ? text.replaceAll("_", " ")
-        : text;
+        : text.replace(/(\d) deg\b/g, "$1°");
+
+/** Columns of values whose sign has a word, unlike spreads and differences. */
+const SIDED = ["mean"];
 
 /** A cell as it is read; `unit` is shown where it is not that of the whole column. */
-function shown(context: Context, value: Cell, column: ColumnDocument, row: Row): string {
+function shown(context: Context, key: string, { columns }: TableDocument, row: Row): string {
+  const { formatter, state } = context;
+  const [value, column] = [row[key], columns[key]];
   if (value === null) return "–";
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value === "string") return words(context, value);
   if (column.quantity) return reading(context, value, column.quantity, column.unit ?? "1")[0];
   const unit = row[UNIT_OF_ROW];
   if (typeof unit !== "string" || !unit) return plain(context, value);
-  const [number, symbol] = reading(context, value, String(row.quantity ?? ""), unit);
+  const quantity = String(row.quantity ?? "");
+  if (SIDED.includes(key) && formatter.knows(quantity))
+    return formatter.text(quantity, formatter.units.toSi({ value, unit }), state.system);
+  const [number, symbol] = reading(context, value, quantity, unit);
   return number + gap(symbol) + symbol;
 }
 
 /** A table of a result with all its rows. */
 export function resultTable(context: Context, result: ResultDocument, name: string, title: string): TemplateResult {
   const { columns, rows } = result.tables[name];
-  const keys = Object.keys(columns).filter((key) => !NAMELESS.includes(key));
+  const isEmpty = (key: string): boolean => rows.every((row) => row[key] === null || row[key] === "");
+  const keys = Object.keys(columns).filter((key) => !NAMELESS.includes(key) && !isEmpty(key));
   return html`
     <div class="scroll" tabindex="0" role="region" aria-label=${title}>
       <table>
@@ -99,7 +120,7 @@ export function resultTable(context: Context, result: ResultDocument, name: stri
           ${rows.map(
             (row) => html`<tr>
               ${keys.map((key, place) => {
-                const text = shown(context, row[key], columns[key], row);
+                const text = shown(context, key, result.tables[name], row);
                 return place ? html`<td>${text}</td>` : html`<th scope="row">${text}</th>`;
               })}
             </tr>`,
@@ -116,9 +137,9 @@ function heading(context: Context, column: ColumnDocument): TemplateResult {
 }
 
 /** What a result says in sentences. */
-export const summary = ({ summary: [first, ...others] }: ResultDocument): TemplateResult => html`
-  ${first ? html`<p class="advice">${first.text}</p>` : nothing}
-  ${others.length ? html`<p>${others.map(({ text }) => text).join(" ")}</p>` : nothing}
+export const summary = (context: Context, { summary: [first, ...others] }: ResultDocument): TemplateResult => html`
+  ${first ? html`<p class="advice">${sentence(context, first)}</p>` : nothing}
+  ${others.length ? html`<p>${others.map((each) => sentence(context, each)).join(" ")}</p>` : nothing}
 `;
 
 /** When a report is dark: as the system is, unless a theme was chosen for the page. */

@@ -1,5 +1,6 @@
 /** Questions to the package, relative to the page: its answers are results, its mistakes sentences. */
 
+import type { System } from "../../quantities/formatter";
 import type { Asked, ServerMistake } from "../../state/session";
 
 /** Where a request went wrong that had no answer. */
@@ -8,6 +9,10 @@ const GONE: ServerMistake = {
   what: "The studio's server does not answer. Start clubface studio again and open the address that it prints",
   allowed: null,
 };
+
+/** The address of an answer whose sentences are in the units that the page shows. */
+export const inUnits = (path: string, system: System): string =>
+  system === "golf" ? path : `${path}${path.includes("?") ? "&" : "?"}units=${system}`;
 
 /** The answer to a request, or the mistake. */
 export async function ask<T>(

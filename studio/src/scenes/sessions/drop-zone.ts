@@ -32,7 +32,7 @@ export function dropZone(context: Context): TemplateResult {
           <span>Choose a file, or drop it here</span>
           <input type="file" name="session" @change=${(event: Event) => chosen(context, event)} />
         </label>
-        <small>CSV or Excel, of any monitor; or a fitting or study of clubface optimise (TOML). It stays on this machine.</small>
+        <small>CSV or Excel, of any monitor; or a fitting or study of clubface optimise (TOML). Your file stays on this machine.</small>
       </p>
       ${offers.state === "there" ? reading(context, offers.value) : nothing}
       <div role="status">
@@ -41,7 +41,7 @@ export function dropZone(context: Context): TemplateResult {
         ${
           file.state === "there"
             ? html`<p><b>${file.value.read.title}</b></p>
-              ${rejected(file.value.read.tables.rejected?.rows.length ?? 0)} ${notesList(file.value.read.notes)}`
+              ${rejected(file.value.read.tables.rejected?.rows.length ?? 0)} ${notesList(context, file.value.read.notes)}`
             : nothing
         }
       </div>

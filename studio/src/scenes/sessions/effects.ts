@@ -1,6 +1,7 @@
 /** What a press or a dropped file sets going: a question to the package, whose answer becomes part of the session. */
 
 import type { Context } from "../../context";
+import type { System } from "../../quantities/formatter";
 import {
   type Asked,
   initialLive,
@@ -13,7 +14,7 @@ import {
   type SessionFile,
   withShots,
 } from "../../state/session";
-import { ask, askJson, askText } from "./api";
+import { ask, askJson, askText, inUnits } from "./api";
 
 type Set = Context["actions"]["session"];
 const LOADING = { state: "loading" } as const;
@@ -40,13 +41,30 @@ export function begin({ model, actions }: Context): void {
   });
 }
 
+/** Asks again for what was answered in other units than the page shows now. */
+export function followUnits(context: Context): void {
+  const { model, state, actions } = context;
+  const { system, file, study } = model.session;
+  if (system === state.system) return;
+  actions.session(() => ({ system: state.system }));
+  if (study) openStudy(context, study.name);
+  if (file.state !== "there") return;
+  const { place } = file.value;
+  const again = [place, `${place}/shots`].map((path) => askJson<ResultDocument>(inUnits(path, state.system)));
+  void Promise.all(again).then(([read, shots]) => {
+    if (read.state !== "there" || shots.state !== "there") return;
+    const value = { ...file.value, read: read.value, shots: shots.value };
+    actions.session(ifSame(file.value, { file: { state: "there", value }, report: NOTHING, golfer: NOTHING }));
+  });
+}
+
 /** Reads a file that was chosen: shots of a monitor, or a study or fitting of `clubface optimise`. */
-export function readFile({ model, actions }: Context, source: File): void {
+export function readFile({ model, actions, state }: Context, source: File): void {
   const { api, reading, offers } = model.session;
   if (api === null) return;
   if (/\.toml$/i.test(source.name)) {
     actions.change({ kind: "settings", settings: { part: "fitting" } });
-    startJob({ model, actions }, `${api}fittings`, source);
+    startJob({ model, actions, state }, `${api}fittings`, source);
     return;
   }
   const most = offers.state === "there" ? offers.value.largest_file : Number.POSITIVE_INFINITY;
@@ -57,7 +75,7 @@ export function readFile({ model, actions }: Context, source: File): void {
     return;
   }
   actions.session(() => ({ ...fresh, file: LOADING }));
-  void read(api, source, reading).then((file) =>
+  void read(api, source, reading, state.system).then((file) =>
     actions.session((session) => {
       if (session.source !== source) return {};
       return { file, wishes: { ...session.wishes, only: file.state === "there" ? mainClub(file.value) : "" } };
@@ -74,7 +92,12 @@ function mainClub({ shots }: SessionFile): string {
   return most.length > 1 ? most[0][0] : "";
 }
 
-async function read(api: string, source: File, reading: Record<string, string>): Promise<Asked<SessionFile>> {
+async function read(
+  api: string,
+  source: File,
+  reading: Record<string, string>,
+  system: System,
+): Promise<Asked<SessionFile>> {
   const query = new URLSearchParams({ name: source.name });
   for (const [name, value] of Object.entries(reading)) {
     if (!value) continue;
@@ -87,30 +110,32 @@ async function read(api: string, source: File, reading: Record<string, string>):
     return { state: "refused", mistake: { where: "", what, allowed: null } };
   }
   const answer = await ask(
-    () => fetch(`${api}files?${query}`, { method: "POST", body: bytes }),
+    () => fetch(inUnits(`${api}files?${query}`, system), { method: "POST", body: bytes }),
     async (response) => ({
       place: response.headers.get("location") ?? "",
       read: (await response.json()) as ResultDocument,
     }),
   );
   if (answer.state !== "there") return answer;
-  const shots = await askJson<ResultDocument>(`${answer.value.place}/shots`);
+  const shots = await askJson<ResultDocument>(inUnits(`${answer.value.place}/shots`, system));
   return shots.state === "there" ? { state: "there", value: { source, ...answer.value, shots: shots.value } } : shots;
 }
 
 /** Loads the report on the file, once it is looked at. */
-export function loadReport({ model, actions }: Context): void {
+export function loadReport({ model, actions, state }: Context): void {
   const { file, report } = model.session;
   if (file.state !== "there" || report.state !== "none" || !claim(actions.session, "report")) return;
-  void askText(`${file.value.place}/report`).then((answer) => actions.session(ifSame(file.value, { report: answer })));
+  void askText(inUnits(`${file.value.place}/report`, state.system)).then((answer) =>
+    actions.session(ifSame(file.value, { report: answer })),
+  );
 }
 
 /** Estimates the golfer of the file, or of the shots of one club in it. */
-export function loadGolfer({ model, actions }: Context): void {
+export function loadGolfer({ model, actions, state }: Context): void {
   const { file, golfer, wishes } = model.session;
   if (file.state !== "there" || golfer.state !== "none" || !claim(actions.session, "golfer")) return;
   const query = wishes.only ? `?${new URLSearchParams({ only: wishes.only })}` : "";
-  void askJson<ResultDocument>(`${file.value.place}/golfer${query}`).then((answer) =>
+  void askJson<ResultDocument>(inUnits(`${file.value.place}/golfer${query}`, state.system)).then((answer) =>
     actions.session(ifSame(file.value, { golfer: answer })),
   );
 }
@@ -130,20 +155,25 @@ export function startFitting(context: Context): void {
   startJob(context, `${file.value.place}/fittings`, JSON.stringify(body));
 }
 
-function startJob({ model, actions }: Pick<Context, "model" | "actions">, path: string, body: BodyInit): void {
+function startJob(
+  { model, actions, state }: Pick<Context, "model" | "actions" | "state">,
+  path: string,
+  body: BodyInit,
+): void {
   const { api } = model.session;
   actions.session(() => ({ fitting: LOADING }));
-  void askJson<Job>(path, { method: "POST", body }).then((answer) => {
+  void askJson<Job>(inUnits(path, state.system), { method: "POST", body }).then((answer) => {
     actions.session(() => ({
       fitting: answer.state === "there" ? { state: "there", value: { ...answer.value, result: null } } : answer,
     }));
-    if (answer.state === "there" && api !== null) follow(api, answer.value.job, actions.session);
+    if (answer.state === "there" && api !== null)
+      follow(inUnits(`${api}jobs/${answer.value.job}/events`, state.system), answer.value.job, actions.session);
   });
 }
 
 /** Takes the progress of a job until its end. */
-function follow(api: string, job: string, set: Set): void {
-  const source = new EventSource(`${api}jobs/${job}/events`);
+function follow(events: string, job: string, set: Set): void {
+  const source = new EventSource(events);
   const take = (event: MessageEvent<string>): void =>
     set(({ fitting }) => {
       if (fitting.state !== "there" || fitting.value.job !== job) return {};
@@ -171,11 +201,11 @@ async function loadStudies(api: string, set: Set): Promise<void> {
   set(() => ({ studies }));
 }
 
-export function openStudy({ model, actions }: Context, name: string): void {
+export function openStudy({ model, actions, state }: Context, name: string): void {
   const { api } = model.session;
   if (api === null) return;
   actions.session(() => ({ study: { name, report: LOADING } }));
-  void askText(`${api}studies/${encodeURIComponent(name)}/report`).then((report) =>
+  void askText(inUnits(`${api}studies/${encodeURIComponent(name)}/report`, state.system)).then((report) =>
     actions.session(({ study }) => (study?.name === name ? { study: { name, report } } : {})),
   );
 }

@@ -6,16 +6,23 @@ import { ballName, clubName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
 import type { Job, Session } from "../../state/session";
 import { mistakeLine, noFile, notesList, resultTable, summary, waiting } from "./answers";
+import { inUnits } from "./api";
 import { cancelFitting, startFitting } from "./effects";
 import { clubOfGolfer } from "./golfer-part";
 
 /** How far the loft may be turned either way. */
 const LOFTS = ["", "1 deg", "2 deg", "3 deg"];
+/** What may count, where its name does not say it. */
+const OBJECTIVES: Record<string, string> = {
+  total: "total distance",
+  side_spread: "spread to the side",
+  ellipse: "area of the landings",
+};
 /** Tables of a fitting that say what was compared. */
 const TABLES: Record<string, string> = {
   combinations: "All combinations, the best first",
   differences: "Differences from the present club",
-  effects: "What matters at all",
+  effects: "What makes a difference",
 };
 
 export function fittingPart(context: Context): TemplateResult {
@@ -43,14 +50,14 @@ function wishesForm(context: Context): TemplateResult {
         name: "objective",
         label: "What counts",
         value: wishes.objective,
-        options: offers.value.objectives.map((each) => [each, each.replaceAll("_", " ")] as const),
+        options: offers.value.objectives.map((each) => [each, OBJECTIVES[each] ?? each.replaceAll("_", " ")] as const),
         choose: (objective) => set({ objective }),
       })}
       ${choiceOf({
         name: "loft-range",
         label: "Loft",
         value: wishes.loft,
-        options: LOFTS.map((each) => [each, each ? `free by ± ${each.replace(" deg", "°")}` : "as it is"] as const),
+        options: LOFTS.map((each) => [each, each ? `up to ± ${each.replace(" deg", "°")}` : "as it is"] as const),
         choose: (loft) => set({ loft }),
       })}
     </div>
@@ -128,11 +135,11 @@ function progress(context: Context, { state, done, whole, step, mistake }: Job):
 function fittingResult(context: Context, { job, result }: Job): TemplateResult {
   if (!result) return html``;
   return html`
-    ${summary(result)}
+    ${summary(context, result)}
     ${Object.entries(TABLES)
       .filter(([name]) => result.tables[name]?.rows.length)
       .map(([name, title]) => resultTable(context, result, name, title))}
-    <p><a href=${`${context.model.session.api}jobs/${job}/report?save`} download>Save the report</a> with its pictures.</p>
-    ${notesList(result.notes)}
+    <p><a href=${inUnits(`${context.model.session.api}jobs/${job}/report?save`, context.state.system)} download>Save the report</a> with its pictures.</p>
+    ${notesList(context, result.notes)}
   `;
 }

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import type { Context } from "../../context";
 import { clubName } from "../../equipment/names";
 import { choiceOf } from "../../parts/choice";
-import { NOTHING, type SessionFile } from "../../state/session";
+import { NOTHING, type ResultDocument, type SessionFile } from "../../state/session";
 import { noFile, notesList, resultTable, summary, waiting } from "./answers";
 
 /** The list of clubs of a file that has several: a golfer is one with one club. */
@@ -21,6 +21,9 @@ export function clubOfGolfer(context: Context, { shots }: SessionFile): Template
   });
 }
 
+const caption = ({ values: { title, shots } }: ResultDocument): string =>
+  `${title}: mean of ${shots} shots, and how much they vary`;
+
 export function golferPart(context: Context): TemplateResult {
   const { file, golfer, wishes } = context.model.session;
   if (file.state !== "there") return html`<section>${noFile()}</section>`;
@@ -31,10 +34,10 @@ export function golferPart(context: Context): TemplateResult {
       <div class="filters">${clubOfGolfer(context, file.value)}</div>
       ${
         golfer.state === "there"
-          ? html`${summary(golfer.value)}
-              ${resultTable(context, golfer.value, "delivery", golfer.value.title)}
+          ? html`${summary(context, golfer.value)}
+              ${resultTable(context, golfer.value, "delivery", caption(golfer.value))}
               <p><a href=${`${file.value.place}/golfer.toml${query}`} download>Save the golfer</a> for clubface dispersion and clubface optimise.</p>
-              ${notesList(golfer.value.notes)}`
+              ${notesList(context, golfer.value.notes)}`
           : waiting(golfer, "The golfer is being estimated")
       }
     </section>

@@ -49,8 +49,9 @@ export function livePart(context: Context): TemplateResult {
               <h2 id="live-range">${rows.length > DRAWN ? `The last ${DRAWN} shots` : "The shots on a range"}</h2>
               ${rangePicture(context, "live-range", rows.slice(-DRAWN))}
             </section>
-            <section aria-label="Table of the live shots">
-              ${shotTable(context, live.shots, [...rows].reverse(), "Live shots, the newest first")}
+            <section aria-labelledby="live-shots">
+              <h2 id="live-shots">Live shots, the newest first</h2>
+              ${shotTable(context, live.shots, [...rows].reverse(), "Table of the live shots")}
               <p><a href=${`${context.model.session.api}live/shots.csv?save`} download>Save all live shots</a> as a table.</p>
             </section>`
         : nothing

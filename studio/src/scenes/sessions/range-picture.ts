@@ -72,6 +72,7 @@ function fromSide(range: Range): TemplateResult {
   const up = scale([0, highest], [TOP + inner, TOP]);
   const ratio = up.size / along.size;
   const apexes = rows.map(({ path }) => Math.max(0, ...path.map(([, high]) => high)));
+  const { unit } = range;
   const apex = context.formatter.text("apex", Math.max(...apexes), context.state.system);
   return html`
     <svg
@@ -82,7 +83,7 @@ function fromSide(range: Range): TemplateResult {
       height=${(TOP + inner + 12) * zoom}
       viewBox=${`0 0 ${width} ${TOP + inner + 12}`}
     >
-      <text class="title" x="0" y="13">From the side${ratio > 1.05 ? `, heights ×${ratio.toFixed(1)}` : ""}</text>
+      <text class="title" x="0" y="13">From the side, heights in ${unit}${ratio > 1.05 ? `, ×${ratio.toFixed(1)}` : ""}</text>
       ${alongTicks.map((tick) => svg`<line class="grid" x1=${along.at(tick)} x2=${along.at(tick)} y1=${TOP} y2=${TOP + inner}></line>`)}
       ${ticks([0, highest], 3).map(
         (tick) => svg`<text class="tick" x=${GROUND_LEFT - 6} y=${up.at(tick) + 4} text-anchor="end">${tick}</text>`,

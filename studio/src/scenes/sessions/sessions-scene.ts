@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit-html";
 import { type Context, choiceSetting, type Scene } from "../../context";
 import { mistakeLine } from "./answers";
 import { dropZone } from "./drop-zone";
-import { begin, loadGolfer, loadReport } from "./effects";
+import { begin, followUnits, loadGolfer, loadReport } from "./effects";
 import { fittingPart } from "./fitting-part";
 import { golferPart } from "./golfer-part";
 import { livePart } from "./live-part";
@@ -38,6 +38,7 @@ export const sessionsScene: Scene = {
     // What is asked for changes the page, which is being drawn.
     queueMicrotask(() => {
       begin(context);
+      followUnits(context);
       const part = partOf(context);
       if (part === "report") loadReport(context);
       if (part === "golfer") loadGolfer(context);

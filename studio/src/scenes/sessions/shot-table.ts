@@ -23,7 +23,7 @@ export function shotTable(
   return html`
     <div class="scroll shots" tabindex="0" role="region" aria-label=${title}>
       <table>
-        <caption>${title}</caption>
+        <caption class="unseen">${title}</caption>
         <thead>
           <tr>
             <th scope="col">Shot</th>
@@ -49,7 +49,7 @@ export function shotTable(
       </table>
     </div>
     ${rows.length > MOST ? html`<p class="remark">The first ${MOST} of ${rows.length} shots; the picture has all.</p>` : nothing}
-    <p class="remark">Numbers <i class="computed">in italics</i> are computed by clubface from what was measured. A press on a shot marks it in the picture.</p>
+    <p class="remark">Numbers <i class="computed">in italics</i> are computed by clubface from what was measured. Press the number of a shot to mark it in the picture.</p>
   `;
 
   function cell(row: ShotRow, quantity: string): TemplateResult {

@@ -62,10 +62,11 @@ export function shotsPart(context: Context): TemplateResult {
         }
         <output>${chosen.length === rows.length ? `${rows.length} shots` : `${chosen.length} of ${rows.length} shots`}</output>
       </div>
-      ${rangePicture(context, "range", chosen)} ${notesList(file.value.shots.notes.slice(0, ownNotes(file.value)), "How the flight paths were computed")}
+      ${rangePicture(context, "range", chosen)} ${notesList(context, file.value.shots.notes.slice(0, ownNotes(file.value)), "How the flight paths were computed")}
     </section>
-    <section aria-label="Table of the shots">
-      ${shotTable(context, file.value.shots.tables.shots, chosen, file.value.read.title)}
+    <section aria-labelledby="all-shots">
+      <h2 id="all-shots">The shots in numbers</h2>
+      ${shotTable(context, file.value.shots.tables.shots, chosen, `Shots of ${file.value.source.name}`)}
     </section>
   `;
 }
