@@ -23,7 +23,7 @@ export function usedClubLine(context: Context): TemplateResult | typeof nothing 
       <span>
         Struck with the <b>${clubName(context, state.club)} as designed</b>: ${words.join(", ")}${
           more
-            ? `; dynamic loft ${formatter.difference("loft", more, state.system, false)} to that of the slider`
+            ? `; dynamic loft ${formatter.difference("loft", more, state.system, { hasSides: false })} to that of the slider`
             : nothing
         }.
       </span>

@@ -71,17 +71,21 @@ export class Formatter {
     return join(number, unit, side);
   }
 
-  /** A difference in SI: with a word where the quantity has sides, otherwise with a sign; "0.3° right", "+120 rpm". */
-  difference(name: string, si: number, system: System, hasSides = true): string {
+  /**
+   * A difference in SI: with a word where the quantity has sides, otherwise with a sign; "0.3° right", "+120 rpm".
+   * `finer` is how many digits it has more than a value.
+   */
+  difference(name: string, si: number, system: System, { hasSides = true, hasUnit = true, finer = 0 } = {}): string {
     const { label, ...quantity } = this.quantity(name);
     const sides = hasSides ? quantity.sides : null;
-    const { unit, digits } = this.reading(name, system);
+    const { unit, digits: usual } = this.reading(name, system);
+    const digits = usual + finer;
     const value = this.units.differenceFromSi(si, unit);
     const word = sideOf(sides, value, digits);
     const isSigned = !word || sides?.includes(label);
     const sign = isSigned && Number(value.toFixed(digits)) > 0 ? "+" : "";
     const number = sign + this.format(isSigned ? value : Math.abs(value), digits);
-    return join(number, this.units.symbol(unit), isSigned ? "" : word);
+    return join(number, hasUnit ? this.units.symbol(unit) : "", isSigned ? "" : word);
   }
 
   /** An amount in the unit of a system, as a field shows it; unchanged where it was given in that unit. */

@@ -227,7 +227,7 @@ describe("a golfer's shots", () => {
     await slide(page, "Club speed", "PageDown");
     await changes(carry);
     expect(await value()).toBeLessThan(carry);
-    await page.getByText("scatter about the delivery of the sliders").waitFor();
+    await page.getByText("scatter about the delivery").waitFor();
     await otherPicture(page, first);
     const slower = await value();
     await page.getByRole("button", { name: "The golfer's own delivery" }).click();

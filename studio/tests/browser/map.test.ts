@@ -124,7 +124,7 @@ describe("the map", () => {
     await whole(page);
     expect(await pictureOf(page, CANVAS)).not.toBe(before);
     expect(await reading(page)).toMatch(/[+-]\d+\.\d\d mph$/);
-    expect(await page.locator(".best thead th").allInnerTexts()).toEqual(["Of the face", "driver", "3-wood"]);
+    expect(await page.locator(".best thead th").allTextContents()).toEqual(["Of the face", "driver", "3-wood"]);
     // The club itself has no difference.
     await page.locator('select[name="club"]').selectOption("3-wood");
     await page.locator("h2", { hasText: "Ball speed, mph: 3-wood" }).waitFor();

@@ -57,7 +57,7 @@ export function changesPanel(context: Context): TemplateResult {
       <div class="steps">
         <h3>A little more of each</h3>
         <ul class="chips">${AXES.map((each) => html`<li>${chip(context, each)}</li>`)}</ul>
-        <p class="remark">From exact derivatives at this club and the same strike; a press makes the step.</p>
+        <p class="remark">Computed by exact derivatives at this club and the same strike. Press a change to make it.</p>
       </div>
     </section>
   `;
@@ -118,7 +118,7 @@ function table(context: Context, caption: string, rows: Row[]): TemplateResult {
   };
   const difference = ({ quantity, own, designed, isSpread }: Row): string => {
     if (!Number.isFinite(designed - own)) return "–";
-    return formatter.difference(quantity, designed - own, state.system, !isSpread);
+    return formatter.difference(quantity, designed - own, state.system, { hasSides: !isSpread });
   };
   return html`<div class="scroll" tabindex="0" role="region" aria-label=${caption}>
     <table class="changes">

@@ -37,7 +37,7 @@ export function clubPanel(context: Context): TemplateResult {
         <button type="button" ?disabled=${!changed.length} @click=${back}>Back to the club</button>
       </p>
       <p class="remark">
-        ${isUsed ? "Shots of all scenes are struck with it, and follow its sliders." : "Used, it strikes the shots of all scenes."}
+        ${isUsed ? "All scenes use this club and follow its sliders." : "“Use this club” strikes the shots of all scenes with it."}
       </p>
       <ul class="legend" aria-label="Lines below the sliders">
         <li><i class="band rules"></i>within the rules</li>

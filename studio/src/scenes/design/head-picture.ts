@@ -47,12 +47,12 @@ export function headPicture(context: Context): TemplateResult {
   const [x, y, z] = [ends(0), ends(1), side > 0 ? ends(2) : turned(ends(2))];
   const views: View[] = [
     {
-      title: "From the side, to the target on the right",
+      title: "From the side, target on the right",
       at: ([along, high]) => [along / MILLIMETRE, -high / MILLIMETRE],
       box: frame([x[0], Math.max(x[1], 0) + ahead], turned(y)),
     },
     {
-      title: "From above, to the target upwards",
+      title: "From above, target at the top",
       at: ([along, , toe]) => [(side * toe) / MILLIMETRE, -along / MILLIMETRE],
       box: frame(z, turned([x[0], Math.max(x[1], 0) + ahead])),
     },
@@ -62,7 +62,7 @@ export function headPicture(context: Context): TemplateResult {
   const text = (si: number): string => formatter.text("face_height", Math.abs(si), state.system);
   const spot = sweetSpot(designed);
   const words =
-    `The CG lies ${text(-cgInFace(designed)[0])} behind the face and ${text(up)} ${up < 0 ? "below" : "above"} the normal ` +
+    `Square to the face, the CG lies ${text(-cgInFace(designed)[0])} behind it and ${text(up)} ${up < 0 ? "below" : "above"} the normal ` +
     `through its centre. The sweet spot, where the normal of the face passes through the CG, is ${text(spot[1])} ` +
     `${spot[1] < 0 ? "below" : "above"} the centre and ${text(spot[2])} towards the ${spot[2] < 0 ? "heel" : "toe"}.`;
   return html`

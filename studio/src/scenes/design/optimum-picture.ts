@@ -175,7 +175,10 @@ function contourOf(
   const lines = contours(grid, level);
   if (!lines.length) return svg`` as TemplateResult;
   const places = lines.flat();
-  const [x, y] = at(places[Math.floor(places.length * (number % 2 ? 0.4 : 0.65))]);
+  // Not where it would hide the numbers of the axes.
+  const inner = places.filter(({ 0: x, 1: y }) => x > 0.1 * grid.columns && y > 0.1 * grid.rows);
+  const free = inner.length ? inner : places;
+  const [x, y] = at(free[Math.floor(free.length * (number % 2 ? 0.4 : 0.65))]);
   return svg`<path class="contour" d=${lines.map((each) => line(each.map(at))).join("")}></path>
     <text class="level" x=${x} y=${y + 4} text-anchor="middle">${text}</text>` as TemplateResult;
 }

@@ -196,11 +196,13 @@ function gradientWords(context: Context, optimum: Optimum): string {
     const { step, unit, more } = variableNamed(name);
     const size = formatter.units.toSi({ value: step, unit });
     const symbol = formatter.units.symbol(unit);
-    const change = formatter.difference(objective.output, slopes[i] * size, state.system, objective.part !== "spread");
+    const change = formatter.difference(objective.output, slopes[i] * size, state.system, {
+      hasSides: objective.part !== "spread",
+    });
     return `${join(formatter.format(step, 0), symbol, more)}: ${change}`;
   });
-  const origin = optimum.slopes ? "by differences over the same shots" : "by exact derivatives";
-  return `From here, ${origin}: ${steps.join("; ")}.`;
+  const origin = optimum.slopes ? "differences over the same shots" : "exact derivatives";
+  return `What a little more does from here, by ${origin}: ${steps.join("; ")}.`;
 }
 
 const ROWS = 5;

@@ -66,7 +66,7 @@ export const FACE: Variable[] = [
   {
     name: "characteristic_time",
     label: "Spring of the face",
-    more: "more spring",
+    more: "spring of the face",
     step: 10,
     unit: "us",
     reach: "80 us",

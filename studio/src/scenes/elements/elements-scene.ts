@@ -120,8 +120,8 @@ function spinInWords({ formatter, state }: Context, { impact, label }: DrawnCase
     return `${whose} makes backspin as long as the ball is on the face, up to ${text("backspin", backspin)}.`;
   return (
     `${whose} makes backspin for ${text("reversal_time", reversal_time)}, with up to ${text("tangential", tangential_max)}. ` +
-    `Then the ball springs back along the face, and friction turns: with up to ${text("tangential", -tangential_min)} it takes ` +
-    `${text("backspin", spin_max - backspin)} of the ${text("backspin", spin_max)} back. The ball leaves with ` +
+    `Then the ball springs back along the face, and friction reverses: with up to ${text("tangential", -tangential_min)} it takes ` +
+    `back ${text("backspin", spin_max - backspin)} of the ${text("backspin", spin_max)}. The ball leaves with ` +
     `${text("backspin", backspin)}.`
   );
 }

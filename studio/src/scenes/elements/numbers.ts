@@ -47,7 +47,7 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
       });
     return columns;
   });
-  const contact = shown.map(({ label, impact }) => ({ label: label || "value", values: summary(impact) }));
+  const contact = shown.map(({ label, impact }) => ({ label: label || "Value", values: summary(impact) }));
   return html`
     ${launches.length ? table(context, "Launch and flight, next to the chosen model", IMPACT_AND_FLIGHT, launches) : nothing}
     ${launches.length ? html`<p class="remark">The chosen model takes the head as rigid, and friction as its own parameters have it.</p>` : nothing}
@@ -57,7 +57,7 @@ export function numbersTables(context: Context, cases: NamedCase[]): TemplateRes
             context,
             "After the throw at a plane",
             THROWN,
-            thrown.map(({ label, impact }) => ({ label: label || "value", values: impact.thrown })),
+            thrown.map(({ label, impact }) => ({ label: label || "Value", values: impact.thrown })),
           )
         : nothing
     }

@@ -22,8 +22,8 @@ export function bagPanel(context: Context): TemplateResult {
       <h2 id="bag">Gaps between the clubs</h2>
       <p>
         Every club as the tour delivers it: the tour's attack angle and dynamic loft, square and centred, at the speed
-        that goes with a driver at ${driven}. A club that the tour has no average of is delivered like the nearest one,
-        with as much more loft as it has. Another speed of the club above changes them all.
+        that goes with a driver at ${driven}. A club without a tour average is delivered like the nearest one that has
+        one, with as much more loft as it has. Change the speed of the club, and all of them change.
       </p>
       ${gapTable(context)}
       <details>
@@ -68,7 +68,9 @@ function gapTable(context: Context): TemplateResult {
           <tr>
             <th scope="col">Club</th>
             ${heading("carry")}
-            <th scope="col" title="how much farther it carries than the next club">Gap to the next</th>
+            <th scope="col" title="how much farther it carries than the next club">
+              ${withUnit("gap to the next", formatter.units.symbol(formatter.reading("carry", state.system).unit))}
+            </th>
             ${COLUMNS.map(heading)}
           </tr>
         </thead>

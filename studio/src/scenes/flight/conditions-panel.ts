@@ -54,7 +54,7 @@ function airInWords({ model, state, formatter }: Context): TemplateResult {
   const air = outputOf(model, "air");
   const text = (name: string): string => (air ? formatter.text(name, air[name], state.system) : "…");
   return html`Pressure <span data-air="pressure">${text("pressure")}</span>, density of the air
-    <span data-air="density">${text("air_density")}</span>. They hold in every scene.`;
+    <span data-air="density">${text("air_density")}</span>. These conditions hold in every scene.`;
 }
 
 /** The wind as an arrow seen from above: the target is up. */

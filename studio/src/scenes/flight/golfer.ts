@@ -43,7 +43,7 @@ export function golferPanel(context: Context): TemplateResult {
         ${
           isOwn
             ? html`The mean delivery is this golfer's own.`
-            : html`The golfer's scatter about the delivery of the sliders.
+            : html`The golfer's scatter about the delivery that the sliders set.
                 <button type="button" class="quiet" @click=${() => takeGolfer(context, name)}>The golfer's own delivery</button>`
         }
         ${COUNT} shots; the first ${DRAWN} are drawn, with the ellipses that hold 50% and 90% of them.
@@ -65,7 +65,7 @@ function results(context: Context, shots: Dispersion): TemplateResult {
     <ul class="ellipses">${shots.ellipses.map((each) => html`<li>${ellipseInWords(context, each)}</li>`)}</ul>
     ${
       shots.lost
-        ? html`<p class="remark">${shots.lost} of the shots have no result, such as those that miss the face.</p>`
+        ? html`<p class="remark">${shots.lost} of the shots could not be computed, such as those that miss the face.</p>`
         : nothing
     }
     ${onHole(context, shots)}
@@ -77,7 +77,7 @@ function spreadTable({ formatter, state, model }: Context, { quantities }: Dispe
   return html`
     <div class="scroll" tabindex="0" role="region" aria-label="Table of the golfer's shots">
       <table class="spreads" data-milliseconds=${model.results.dispersion.milliseconds}>
-        <caption>Over all shots</caption>
+        <caption>Over all shots: mean, standard deviation and percentiles</caption>
         <thead>
           <tr>
             <th scope="col">Quantity</th>

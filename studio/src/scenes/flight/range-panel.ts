@@ -17,8 +17,8 @@ export function rangePanel(context: Context): TemplateResult {
   const fly = (name: string): void => {
     if (name === "golfer" && !state.settings.golfer) takeGolfer(context, choiceSetting(context, "golfer"));
     else {
-      // A golfer's shots open from above, and the others as they are usually seen.
-      const isOther = (name === "golfer") !== (flying === "golfer");
+      // All open as they are usually seen.
+      const isOther = name !== flying;
       actions.change({ kind: "settings", settings: { flying: name, ...(isOther ? { range_view: null } : {}) } });
     }
   };
@@ -57,11 +57,11 @@ export function rangePanel(context: Context): TemplateResult {
 function legend(context: Context): string {
   const { formatter, state } = context;
   const names =
-    choiceSetting(context, "flying") === "clubs" ? "Names that have no room are left out: the table has all. " : "";
+    choiceSetting(context, "flying") === "clubs" ? "Names without room are left out; the table has them all. " : "";
   const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
   return (
-    `Lines every ${STEP} ${symbol}; thin after the landing: bounce and roll. ${names}The picture is turned by dragging or the ` +
-    "arrow keys, zoomed by the wheel or + and -."
+    `The lines are ${STEP} ${symbol} apart; the thin line after the landing is bounce and roll. ${names}Drag or use the ` +
+    "arrow keys to turn the picture, the wheel or + and - to zoom."
   );
 }
 

@@ -10,7 +10,7 @@ import { takeView } from "./range-camera";
 import { type Content, contentOf, type Extent, extentOf, type Flying, outline } from "./range-content";
 import { type FreeLabel, freeLabel, placeWords } from "./range-labels";
 import { endPlay, type Played } from "./range-play";
-import { viewOf } from "./settings";
+import { type View, viewOf } from "./settings";
 import { layTurf, type Marks, STEP } from "./turf";
 
 export const RANGE = "range";
@@ -167,8 +167,17 @@ const names = (stage: Stage, { flights, landings: dots }: Content): FreeLabel[] 
         .map(({ name, colour, path }) => freeLabel(stage, name, colour, path))
     : [];
 
+/** Which point of the word for the carry lies at the landing: the word is clear of flight and roll. */
+function carryAnchor(view: View, path: Vector[]): [across: number, up: number] {
+  const isLeft = path[path.length - 1][2] < 0;
+  if (view === "behind") return [isLeft ? 1.08 : -0.08, 1.1];
+  if (view === "side") return [0.5, 1.7];
+  return [0.5, isLeft ? 1.6 : -0.6];
+}
+
 /** Apex and carry of a single flight. */
-function heights({ formatter, state }: Context, stage: Stage, { flights, landings: dots }: Content): Object3D[] {
+function heights(context: Context, stage: Stage, { flights, landings: dots }: Content): Object3D[] {
+  const { formatter, state } = context;
   const [first, ...others] = flights;
   if (!first || first.path.length < 2 || others.length || dots.length) return [];
   const { path, values } = first;
@@ -177,7 +186,7 @@ function heights({ formatter, state }: Context, stage: Stage, { flights, landing
   return [
     post(stage, [apex[0], 0, apex[2]], apex, "--ink"),
     label(stage, text("apex", values.apex), "--ink", apex, [0.5, -0.2]),
-    label(stage, text("carry", values.carry), "--ink", path[path.length - 1], [-0.1, 0]),
+    label(stage, text("carry", values.carry), "--ink", path[path.length - 1], carryAnchor(viewOf(context), path)),
   ];
 }
 
@@ -216,7 +225,7 @@ function wind(context: Context, stage: Stage, { far, side, high }: Extent): Obje
   const blowing = arrow(stage.three, { length: 0.07, radius: 1.6e-3, colour: stage.colour("--face") });
   const blows: Vector = [-Math.cos(from), 0, -Math.sin(from)];
   const isFromSide = viewOf(context) === "side";
-  const middle: Vector = isFromSide ? [far * 0.85, high, 0] : [far * 0.12, far * 0.03, side * 0.6];
+  const middle: Vector = isFromSide ? [far * 0.85, high, 0] : [far * 0.12, far * 0.03, side * 0.45];
   const reach = far * 0.035;
   point(stage.three, blowing, [middle[0] - blows[0] * reach, middle[1], middle[2] - blows[2] * reach], blows);
   blowing.scale.setScalar(far);

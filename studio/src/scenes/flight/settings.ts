@@ -41,9 +41,12 @@ export const flightSettings: Settings = {
   hole: { kind: "amount", quantity: "total", usual: { value: 400, unit: "yd" } },
 };
 
-/** From where the range is seen: as chosen, or the shots of a golfer from above and all else from behind. */
+/** Where what flies is seen best. */
+const USUAL_VIEWS: Record<string, View> = { shot: "behind", clubs: "side", golfer: "above" };
+
+/** From where the range is seen: as chosen, or as what flies there is seen best. */
 export function viewOf(context: Context): View {
   const given = context.state.settings.range_view;
   if (given !== undefined) return choiceSetting(context, "range_view") as View;
-  return choiceSetting(context, "flying") === "golfer" ? "above" : "behind";
+  return USUAL_VIEWS[choiceSetting(context, "flying")];
 }

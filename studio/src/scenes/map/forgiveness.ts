@@ -5,7 +5,7 @@ import { type Context, settingSi } from "../../context";
 import type { FaceValues } from "../../core/face-map";
 import { choiceOf } from "../../parts/choice";
 import { settingField } from "../../parts/field";
-import { join } from "../../quantities/formatter";
+import { join, withUnit } from "../../quantities/formatter";
 import { deviationsOf } from "./golfer-spread";
 import { areDetailsOld, clubsOf, detailedMaps } from "./mapped";
 
@@ -78,7 +78,7 @@ function costs(context: Context, { summary, failure }: FaceValues, club: string,
     return html`<p class="mistake" role="alert">${club}: ${failure ? "the impact point is not on the face, or the spread is wider than it" : "no shot"}.</p>`;
   const rest = summary.quantities.filter((name) => !LISTED.includes(name));
   return html`
-    ${table(context, summary, isNamed ? `${club}: what the scatter takes` : "What the scatter takes", LISTED)}
+    ${table(context, summary, isNamed ? `${club}: what the scatter costs` : "What the scatter costs", LISTED)}
     ${
       forgiveness.missed >= LEAST_MISSED
         ? html`<p class="remark">${join(context.formatter.format(100 * forgiveness.missed, 1), "%")} of the swings miss the face; they do not count.</p>`
@@ -107,24 +107,21 @@ function table(
           <th scope="col">Quantity</th>
           <th scope="col" title="over all impacts that hit the face">On average</th>
           <th scope="col" title="standard deviation from impact to impact">Spread ±</th>
-          <th scope="col" title="value of a strike at the impact point less the mean of all strikes: what strikes elsewhere on the face take away on average">
-            Lost to off-centre strikes
+          <th scope="col" title="mean of all strikes less the value of a strike at the impact point">
+            Change by the scatter
           </th>
         </tr>
       </thead>
       <tbody>
         ${names.map((name) => {
           const { unit, digits } = formatter.reading(name, state.system);
-          const finer = (si: number): string =>
-            join(
-              formatter.format(formatter.units.differenceFromSi(si, unit), digits + 1),
-              formatter.units.symbol(unit),
-            );
+          const { number, side } = formatter.show(name, mean[name], state.system);
+          const change = formatter.difference(name, -loss[name], state.system, { hasUnit: false, finer: 1 });
           return html`<tr>
-            <th scope="row">${formatter.quantity(name).label}</th>
-            <td data-mean=${name} data-value=${String(mean[name])}>${formatter.text(name, mean[name], state.system)}</td>
-            <td data-deviation=${name} data-value=${String(deviation[name])}>${finer(deviation[name])}</td>
-            <td data-loss=${name} data-value=${String(loss[name])}>${finer(loss[name])}</td>
+            <th scope="row">${withUnit(formatter.quantity(name).label, formatter.units.symbol(unit))}</th>
+            <td data-mean=${name} data-value=${String(mean[name])}>${number} ${side}</td>
+            <td data-deviation=${name} data-value=${String(deviation[name])}>${formatter.format(formatter.units.differenceFromSi(deviation[name], unit), digits + 1)}</td>
+            <td data-loss=${name} data-value=${String(loss[name])}>${change}</td>
           </tr>`;
         })}
       </tbody>

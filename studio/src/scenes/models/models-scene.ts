@@ -40,12 +40,12 @@ function view(context: Context): TemplateResult {
         </details>
         ${comparison ? table(context, comparison.shots) : html`<p aria-busy="true">All models are being computed …</p>`}
         <p class="remark">
-          Impulse models have no contact that lasts: those that leave contact time and peak force blank do not compute them.
+          In impulse models the contact takes no time: where contact time and peak force are missing, the model has none.
         </p>
       </section>
       <section aria-labelledby="histories">
         <h2 id="histories">Force, slip and spin over time</h2>
-        <p>By the contact models. Friction makes backspin first, and takes some of it back where the ball springs back along the face (below zero).</p>
+        <p>Computed by the contact models. Friction makes backspin first (above zero), and takes some of it back as the ball springs back along the face (below zero).</p>
         <div class="charts">${historyCharts(context.description, comparison?.histories ?? NONE).map((each) => chartFrame(context, each))}</div>
       </section>
     </div>

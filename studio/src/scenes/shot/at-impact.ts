@@ -60,8 +60,8 @@ export function atImpact(context: Context): TemplateResult {
         <button type="button" @click=${() => play(context, shot)}>Play</button>
       </div>
       <p class="remark">
-        Face, ball and motion are to scale; the body of the head behind the face is drawn, not
-        measured.${contactTime(shot) ? " Between first touch and separation the motion is drawn between its two ends." : nothing}
+        Face, ball and motion are to scale; the body behind the face only shows the kind of
+        club.${contactTime(shot) ? " Between first touch and separation the motion is interpolated." : nothing}
       </p>
     </section>
   `;

@@ -40,7 +40,7 @@ export function numbersTable(context: Context, title: string, variables: Variabl
   const { model, state, formatter } = context;
   const values = model.good?.values ?? {};
   return html`
-    <table>
+    <table class="numbers">
       <caption>${title}</caption>
       <thead>
         <tr><th scope="col">Quantity</th><th scope="col">Value</th><th scope="col">Meaning</th></tr>

@@ -4,7 +4,7 @@ import type { Settings } from "../../state/settings";
 
 /** Sides from which the head is seen, with their names. */
 export const VIEWS: readonly (readonly [view: string, title: string])[] = [
-  ["corner", "From the corner"],
+  ["corner", "At an angle"],
   ["above", "From above"],
   ["line", "Down the line"],
   ["face", "Face on"],

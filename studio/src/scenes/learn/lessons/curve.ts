@@ -52,11 +52,11 @@ export const curve: Lesson = {
               ? html`The ball starts ${result.share(share, "share of the way from path to face")} of the way from path to face;`
               : html`Where they agree the ball starts along both;`
           }
-          motion capture result ${result.share(published, "published share")} ± ${result.share(spreadOfIt, "its spread")} for
+          motion capture found ${result.share(published, "published share")} ± ${result.share(spreadOfIt, "its spread")} for
           drivers, a little less. And it has one spin, not two: it turns about an axis square to the plane of path and face,
           the D-plane. A face right of the path tilts this axis to the right, and the ball banks that way like an aeroplane;
-          the axis is now ${result.number("spin_axis", values.spin_axis)}. So the face says where the ball starts, and the
-          difference of both where it curves.
+          the axis is now ${result.number("spin_axis", values.spin_axis)}. So the face decides where the ball starts, and the
+          difference between face and path which way it curves.
         </p>`,
       pictures: [
         dPlanePicture(result, {

@@ -42,10 +42,10 @@ export const descent: Lesson = {
     return {
       text: html`
         <p>
-          Backspin comes from the angle between the way of the head and the way the face points: the spin loft, now
+          Backspin comes from the angle between the way the head moves and the way the face points: the spin loft, now
           ${result.number("loft", loft - attack)}. Hit ${result.difference("attack", FURTHER, ["further down", "up"])} with the same
-          loft and the angle opens: the ball spins ${result.difference("backspin", more, ["less", "more"])}. But who hits down
-          usually has the hands ahead, and that takes loft off the club. If both turn by as much, it is the same strike aimed
+          loft and the angle opens: the ball spins ${result.difference("backspin", more, ["less", "more"])}. But whoever hits
+          down usually has the hands ahead, and that takes loft off the club. If both turn by as much, it is the same strike aimed
           lower: same spin loft, same spin, lower launch. So it is not the ground, and no pinching of the ball, that makes the
           spin.
         </p>`,
@@ -60,8 +60,8 @@ export const descent: Lesson = {
           mark: attack,
         }),
       ],
-      question: html`Hit ${result.number("attack", DOWN)} or more and keep the spin of the beginning,
-      ${result.number("backspin", start)}, within ${result.number("backspin", NEAR)}. How much loft must go?`,
+      question: html`Hit ${result.number("attack", DOWN)} or more and keep the spin that you began with,
+      ${result.number("backspin", start)}, to within ${result.number("backspin", NEAR)}. How much loft must you take off?`,
       now: html`Attack ${result.number("attack", attack)}, loft ${result.number("loft", loft)}: ${result.number("backspin", values.backspin)},
       launched ${result.number("launch", values.launch)}.`,
       isSolved: attack <= DOWN * (1 - 1e-9) && Math.abs(values.backspin - start) <= NEAR,

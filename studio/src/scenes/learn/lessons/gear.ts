@@ -52,8 +52,8 @@ export const gear: Lesson = {
           ${result.number("side", result.value("flat", "side"))}. A bulged face points away from the target where it is struck, so
           that the ball starts ${result.number("azimuth", values.azimuth)} and curves back. A 7-iron's centre of gravity lies
           ${depth("7-iron")} behind the face: struck as far out, its spin axis is
-          ${result.number("spin_axis", result.value("iron", "spin_axis"))}, and its face is flat. How strong the gear effect is,
-          few have measured.
+          ${result.number("spin_axis", result.value("iron", "spin_axis"))}, and its face is flat. Few have measured how
+          strong the gear effect is.
         </p>`,
       pictures: [
         headPicture(result, {

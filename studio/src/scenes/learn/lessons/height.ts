@@ -59,7 +59,7 @@ export const height: Lesson = {
           height.
         </p>
         <p>
-          Of irons the models disagree: a groove lower, ${result.model("response")} has ${lower("Response")} and
+          On irons the models disagree: struck one groove lower, ${result.model("response")} has ${lower("Response")} and
           ${result.model("standard")} ${lower("Standard")} backspin.
         </p>`,
       pictures: [

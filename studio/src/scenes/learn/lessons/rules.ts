@@ -100,7 +100,7 @@ export const rules: Lesson = {
         }),
       ],
       question: html`Struck ${result.towards(TOE)}, gain ${result.difference("carry", GAIN, ["shorter", "of carry"])} on the
-      head of the beginning, and break no rule.`,
+      head that you began with, and break no rule.`,
       now: html`It carries ${result.number("carry", result.value("now", "carry"))}, a difference of
       ${result.difference("carry", gained, ["less", "more"])}, and the head ${fits ? "conforms" : "does not conform"}.`,
       isSolved: fits && gained >= GAIN,

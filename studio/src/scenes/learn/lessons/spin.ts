@@ -87,8 +87,8 @@ export const spin: Lesson = {
           ${courseOfSpin(result)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
         </p>
         <p>
-          Drawn is the contact model ${result.model("rings")}. Models of one impulse have no course of time, but
-          ${result.model("response")} falls alike.
+          The pictures are by the contact model ${result.model("rings")}. A model of one impulse knows no history over time,
+          but by ${result.model("response")} the spin falls in the same way.
         </p>`,
       pictures: [
         chartFrame(result.context, {
@@ -114,7 +114,7 @@ export const spin: Lesson = {
           mark: friction,
         }),
       ],
-      question: html`At which friction does this drive spin most? Take grip away until it does.`,
+      question: html`At which friction does this drive spin most? Take grip away until you are there.`,
       now: html`Friction ${result.number("friction", friction)}: the ball leaves with ${result.number("backspin", now)}.`,
       isSolved: now >= NEAR * most,
       answer: html`At about ${result.number("friction", best)}, with ${result.number("backspin", most)} by

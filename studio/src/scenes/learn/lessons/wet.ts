@@ -48,17 +48,17 @@ export const wet: Lesson = {
     return {
       text: html`
         <p>
-          On so much loft the ball climbs the face unless friction holds it. Dry, with a friction of
+          With this much loft the ball climbs the face unless friction holds it. Dry, with a friction of
           ${result.number("friction", result.setup.usual("wet_friction"))}, this one starts ${result.number("launch", dry("launch"))}
-          with ${result.number("backspin", dry("backspin"))}. Water or grass between them, and it slides, starts nearer to where the
-          face points, and turns less: now ${result.number("launch", values.launch)}. A drive with that friction launches
+          with ${result.number("backspin", dry("backspin"))}. With water or grass between them it slides, starts nearer to where
+          the face points, and turns less: now ${result.number("launch", values.launch)}. A drive with that friction launches
           ${Math.abs(driver) < ALIKE ? "as before" : result.difference("launch", driver, ["lower", "higher"])}.
         </p>
         <p>
           Of 62 balls that a robot struck, those with urethane covers started
           ${result.number("launch", rows.urethane[0])} with ${result.number("backspin", rows.urethane[1])}, and two that slid
           ${result.number("launch", rows["two that slide"][0])} with ${result.number("backspin", rows["two that slide"][1])}. How low
-          the friction of a wet face is was not result in print, and no model here has grooves.
+          the friction of a wet face is was not found in print, and no model here has grooves.
         </p>`,
       pictures: [
         anglesPicture(result, {
@@ -76,7 +76,7 @@ export const wet: Lesson = {
           mark: friction,
         }),
       ],
-      question: html`How slippery must the face be until half of the dry spin is gone?`,
+      question: html`How slippery must the face be for half of the dry spin to be lost?`,
       now: html`Friction ${result.number("friction", friction)}: ${result.share(share, "spin over that of a dry face")} of the dry
       spin, ${result.number("backspin", values.backspin)}.`,
       isSolved: Math.abs(share - HALF) <= NEAR,
