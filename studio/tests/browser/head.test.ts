@@ -30,7 +30,7 @@ describe("head and ball", () => {
     // An empty canvas of this size has a few thousand characters.
     expect(before.length).toBeGreaterThan(20_000);
     expect(await nameOf(page)).toMatch(
-      /driver meets the ball, from the corner, at first touch: club path 4\.0° right, .*face angle 1\.0° right, .*launch direction [\d.]+° right/,
+      /driver meets the ball, seen at an angle, at first touch: club path 4\.0° right, .*face angle 1\.0° right, .*launch direction [\d.]+° right/,
     );
     await slide(page, "Face angle", "PageUp");
     await expect.poll(() => nameOf(page)).not.toContain("face angle 1.0° right");

@@ -32,7 +32,7 @@ export function atImpact(context: Context): TemplateResult {
   const [, title = ""] = VIEWS.find(([view]) => view === seen) ?? [];
   const { label } = context.equipment.clubs[context.state.club];
   const name =
-    `The ${label} meets the ball, ${title.toLowerCase()}, ${momentWords(shot, moment)}: ` +
+    `The ${label} meets the ball, seen ${title.toLowerCase()}, ${momentWords(shot, moment)}: ` +
     `${directions.map(({ text }) => text).join("; ")}.`;
   return html`
     <section class="head" aria-labelledby="at-impact">
