@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel wheel-check sdist demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -61,6 +61,12 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
 	scripts/fmi-library.sh dist
 	$(BIN)/maturin build --profile dist
+
+wheel-check: wheel ## the wheel in fresh environments outside the checkout: alone, as users install it, with every extra
+	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.whl | head -n 1)"
+
+sdist: $(VENV)/.setup ## the sources as a package
+	$(BIN)/maturin sdist --out target/wheels
 
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --averages all --output out/
