@@ -1,7 +1,7 @@
-"""Check a wheel as its users meet it: its size, its symbols, and what it does in fresh environments outside the checkout.
+"""Check a wheel as its users meet it: its size, its symbols, and what it does in fresh environments.
 
-``python scripts/wheel_check.py WHEEL`` installs it with NumPy alone, then as `pip install clubface` does, then with every
-extra by itself, and runs in each what that installation is for. The last line is "N passed, N failed".
+``python scripts/wheel_check.py WHEEL`` installs it with NumPy alone, then as `pip install clubface` does, then with
+every extra by itself, and runs in each what that installation is for. The last line is "N passed, N failed".
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ TRIED = {
     "jax": "import jax, clubface.jax; jax.grad(lambda v: clubface.jax.impact('driver', speed=v)['ball_speed'])(45.0)",
     "chain": "import clubface.chain",
 }
-"""What an installation with each extra is asked for; one that is not here is only installed. PyTorch, with its gigabytes,
-is left out."""
+"""What an installation with each extra is asked for, a shot unless it stands here."""
 LEFT_OUT = {"all", "cli", "dev", "torch"}
+"""Extras that bring nothing of their own, and PyTorch with its gigabytes."""
 
 
 class Environment:
