@@ -65,7 +65,7 @@ _HOME = {
     "Shaft": "equipment.shafts",
     "SteppedContact": "simulation.multibody",
     "StruckBall": "simulation.multibody",
-    "Touch": "simulation.own_law",
+    "Touch": "simulation.two_bodies",
     "Trajectory": "simulation.flight",
     "ball": "equipment.balls",
     "best_loft": "design.best_loft",

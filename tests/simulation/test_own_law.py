@@ -12,8 +12,8 @@ import pytest
 import clubface
 from clubface.equipment.backends import OWN
 from clubface.errors import ClubfaceError, InputError, RunError, ShotError
-from clubface.simulation.own_law import BALL, BALL_SPIN, BALL_VELOCITY, CLUB, CLUB_MOMENTUM, CLUB_VELOCITY, TwoBodies
 from clubface.simulation.results import inputs
+from clubface.simulation.two_bodies import BALL, BALL_SPIN, BALL_VELOCITY, CLUB, CLUB_MOMENTUM, CLUB_VELOCITY, TwoBodies
 
 pytest.importorskip("scipy")
 
