@@ -99,7 +99,7 @@ pub unsafe extern "C" fn clubface_contact_begin(
 }
 
 /// Computes what acts between head and ball: `wrench` takes [`CLUBFACE_WRENCH`] numbers, `rates` those of the internal
-/// states. A function of its arguments alone. Where a number of head or ball is not finite, all of them are NaN.
+/// states. A function of its arguments alone, which are not checked.
 ///
 /// # Safety
 /// `contact` comes from [`clubface_contact_begin`] and has not been ended; the arrays hold as many numbers as stated.
