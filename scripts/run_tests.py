@@ -16,6 +16,9 @@ PYTHON = [sys.executable, "-m", "pytest", "--color=no", "-n", str(min(os.cpu_cou
 
 STUDIO = ["npm", "--prefix", "studio", "run", "--silent", "test"]
 
+# The tests of Rust build the C library, which tests in Python install and compile programs against.
+LIBRARY = Path(os.environ.get("CARGO_TARGET_DIR", "target")) / "release" / "deps"
+
 RUST_RESULT = re.compile(r"^test result: .*?(\d+) passed; (\d+) failed")
 PYTEST_COUNT = re.compile(r"(\d+) (passed|failed|error)")
 VITEST_RESULT = re.compile(r"^\s*Tests\s.*\(\d+\)\s*$")
@@ -65,6 +68,7 @@ def has_studio() -> bool:
 def main() -> int:
     """Return 0 only if all runs succeeded; no tests found at all (pytest's status 5) is a failure."""
     passed = failed = 0
+    os.environ["CLUBFACE_LIBRARY"] = str(LIBRARY.resolve())
     runs = [(RUST, count_rust), (PYTHON, count_python)]
     if has_studio():
         runs.append((STUDIO, count_studio))

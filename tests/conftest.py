@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from c_programs import ROOT, ran
 
 # Before NumPy is loaded, as the command line does: on a busy machine OpenBLAS's threads wait for each other over
 # matrices of a few rows, and motion capture takes ten times as long.
@@ -61,3 +64,21 @@ def write(tmp_path):
         return path
 
     return writer
+
+
+@pytest.fixture(scope="session")
+def install(tmp_path_factory):
+    """The folder that `make libclubface` installs into, and then somebody moves.
+
+    The library is what `make test` has just linked the tests of Rust with. Elsewhere it is built by
+    `cargo build --release --package clubface-c`, and named by `CLUBFACE_LIBRARY=target/release`.
+    """
+    built = os.environ.get("CLUBFACE_LIBRARY")
+    if built is None:
+        pytest.skip("libclubface is not tested: CLUBFACE_LIBRARY does not name a folder with it; make test does")
+    for tool in ("cc", "rustc"):
+        if shutil.which(tool) is None:
+            pytest.skip(f"libclubface is not tested: that needs {tool}")
+    folder = tmp_path_factory.mktemp("install")
+    ran(ROOT / "scripts" / "install-libclubface.sh", folder / "first", built)
+    return (folder / "first").rename(folder / "moved")

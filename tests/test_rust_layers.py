@@ -32,7 +32,7 @@ LAYERS = {
         "feasibility",
     ),
     "clubface-c": (
-        "result", "rows", "names", "shots", "stepped", "flights", "dispersion", "face_map", "feasibility", "fem",
+        "abi", "result", "rows", "names", "shots", "stepped", "flights", "dispersion", "face_map", "feasibility", "fem",
     ),
     "clubface-fmi": ("unit", "fmi2", "fmi3"),
 }  # fmt: skip

@@ -22,7 +22,10 @@ def pages_with(name):
 
 def check(page, folder, **options):
     text = page.read_text(encoding="utf-8")
-    for module in (*NEEDED, *(name for name in ("jax", "torch") if f"clubface.{name}" in text)):
+    for module in (
+        *NEEDED,
+        *(name for name in ("jax", "torch", "casadi") if f"import {name}" in text or f"clubface.{name}" in text),
+    ):
         pytest.importorskip(module, reason=f"{module} is not installed")
     pytest.importorskip("matplotlib").use("agg")
     try:
@@ -33,7 +36,9 @@ def check(page, folder, **options):
 
 
 @pytest.mark.parametrize("page", dict.fromkeys([*pages_with("code"), *pages_with("figures")]), ids=lambda it: it.stem)
-def test_a_page_shows_what_it_computes(page, tmp_path):
+def test_a_page_shows_what_it_computes(page, tmp_path, request, monkeypatch):
+    if any("pkg-config" in (block["code"] or "") for block in run_page.BLOCK.finditer(page.read_text("utf-8"))):
+        monkeypatch.setenv("PKG_CONFIG_PATH", str(request.getfixturevalue("install") / "lib" / "pkgconfig"))
     check(page, tmp_path)
 
 

@@ -29,6 +29,7 @@ def test_every_command_has_help_and_says_json_where_it_computes(clubface_):
             "monitor",
             "capture",
             "study",
+            "export",
             "schema",
             "studio",
         )  # those are groups, but the last two: one prints nothing else, one serves pages

@@ -1,19 +1,16 @@
-/* A drive: launch, derivatives and flight by the C interface.
+/* A drive: launch, derivatives and flight.
  *
- *     cargo build --release --package clubface-c
- *     cc -I crates/clubface-c/include crates/clubface-c/examples/drive.c -L target/release -lclubface -lm -o drive
+ *     cc drive.c $(pkg-config --cflags --libs clubface) -o drive
  */
 #include <clubface.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define MODEL "response"
 static const double DEGREE = 3.14159265358979323846 / 180.0;
 
 static size_t place(ClubfaceColumns columns, const char *name) {
-  intptr_t found = clubface_column(columns, name);
+  ptrdiff_t found = clubface_column(columns, name);
   if (found < 0) {
     fprintf(stderr, "no column %s\n", name);
     exit(1);
@@ -21,8 +18,8 @@ static size_t place(ClubfaceColumns columns, const char *name) {
   return (size_t)found;
 }
 
-/* Ends the program with the reason of a result that failed. */
-static void end(ClubfaceResult *result) {
+/* Frees a result; ends the program with the reason of one that failed. */
+static void finish(ClubfaceResult *result) {
   const char *error = clubface_error(result);
   if (error) {
     fprintf(stderr, "%s\n", error);
@@ -48,15 +45,15 @@ int main(void) {
   size_t outputs_count = clubface_count(CLUBFACE_COLUMNS_OUTPUTS);
   size_t parameters_count = (size_t)clubface_default_parameters(MODEL, NULL);
   size_t width = inputs_count + parameters_count;
-  double *inputs = calloc(inputs_count, sizeof *inputs);
-  double *outputs = calloc(outputs_count, sizeof *outputs);
-  double *jacobian = calloc(outputs_count * width, sizeof *jacobian);
-  double *parameters = calloc(parameters_count, sizeof *parameters);
+  double *inputs = (double *)calloc(inputs_count, sizeof(double));
+  double *outputs = (double *)calloc(outputs_count, sizeof(double));
+  double *jacobian = (double *)calloc(outputs_count * width, sizeof(double));
+  double *parameters = (double *)calloc(parameters_count, sizeof(double));
   clubface_default_parameters(MODEL, parameters);
   for (size_t i = 0; i < sizeof GIVEN / sizeof *GIVEN; i++)
     inputs[place(CLUBFACE_COLUMNS_INPUTS, GIVEN[i].name)] = GIVEN[i].value;
 
-  end(clubface_sensitivity(MODEL, inputs, parameters, 0.0, outputs, jacobian));
+  finish(clubface_sensitivity(MODEL, inputs, parameters, 0.0, outputs, jacobian));
   size_t speed = place(CLUBFACE_COLUMNS_OUTPUTS, "ball_speed"), spin = place(CLUBFACE_COLUMNS_OUTPUTS, "backspin");
   size_t toe = place(CLUBFACE_COLUMNS_INPUTS, "toe");
   printf("ball speed %.2f m/s, backspin %.0f rpm\n", outputs[speed], outputs[spin] * 60 / (360 * DEGREE));
@@ -65,15 +62,15 @@ int main(void) {
   /* The ball flies as it was launched, in default air on a fairway. */
   static const char *const LAUNCH[] = {"ball_mass",  "ball_radius", "ball_inertia", "velocity_x", "velocity_y",
                                        "velocity_z", "spin_x",      "spin_y",       "spin_z"};
-  double *flight = calloc(clubface_count(CLUBFACE_COLUMNS_FLIGHT_INPUTS), sizeof *flight);
-  double *flown = calloc(clubface_count(CLUBFACE_COLUMNS_FLIGHT_OUTPUTS), sizeof *flown);
+  double *flight = (double *)calloc(clubface_count(CLUBFACE_COLUMNS_FLIGHT_INPUTS), sizeof(double));
+  double *flown = (double *)calloc(clubface_count(CLUBFACE_COLUMNS_FLIGHT_OUTPUTS), sizeof(double));
   clubface_default_flight(flight);
   for (size_t i = 0; i < sizeof LAUNCH / sizeof *LAUNCH; i++) {
-    intptr_t from = clubface_column(CLUBFACE_COLUMNS_OUTPUTS, LAUNCH[i]);
+    ptrdiff_t from = clubface_column(CLUBFACE_COLUMNS_OUTPUTS, LAUNCH[i]);
     size_t to = place(CLUBFACE_COLUMNS_FLIGHT_INPUTS, LAUNCH[i]);
     flight[to] = from >= 0 ? outputs[from] : inputs[place(CLUBFACE_COLUMNS_INPUTS, LAUNCH[i])];
   }
-  end(clubface_flights(flight, 1, 1, flown));
+  finish(clubface_flights(flight, 1, 1, flown));
   printf("carry %.1f m, %.1f m to the right\n", flown[place(CLUBFACE_COLUMNS_FLIGHT_OUTPUTS, "carry")],
          flown[place(CLUBFACE_COLUMNS_FLIGHT_OUTPUTS, "side")]);
 
@@ -82,6 +79,11 @@ int main(void) {
   ClubfaceResult *refused = clubface_sensitivity(MODEL, inputs, parameters, 0.0, outputs, jacobian);
   printf("refused: %s\n", clubface_error(refused));
   clubface_free(refused);
-  free(inputs), free(outputs), free(jacobian), free(parameters), free(flight), free(flown);
+  free(inputs);
+  free(outputs);
+  free(jacobian);
+  free(parameters);
+  free(flight);
+  free(flown);
   return 0;
 }

@@ -199,10 +199,6 @@ ClubfaceResult *clubface_fem_ball(const char *ball);
 // `head` ends with a null byte.
 ClubfaceResult *clubface_fem_head(const char *head);
 
-extern double now(void);
-
-extern uint32_t progress(double time, double duration);
-
 // Computes flights of `rows` launches. `inputs` are the columns of the flight inputs of the description, one after the
 // other, `rows` numbers each; `outputs` takes the flight outputs. Rows that cannot be flown are NaN, and named in the
 // text. `threads`: 0 for one a core.

@@ -18,6 +18,7 @@
 //! `progress` (time and duration of a simulation, s; 0 stops it) in the module `clubface`, and asks for memory by
 //! [`clubface_allocate`].
 
+mod abi;
 mod dispersion;
 mod face_map;
 mod feasibility;
@@ -31,6 +32,7 @@ mod shots;
 #[cfg(feature = "multibody")]
 mod stepped;
 
+pub use abi::*;
 pub use dispersion::*;
 pub use face_map::*;
 pub use feasibility::*;
@@ -45,9 +47,6 @@ pub use stepped::*;
 
 use clubface_impact::describe::Tables;
 use std::ffi::c_char;
-
-/// Number of this interface; it grows with every change that a compiled caller would notice.
-pub const CLUBFACE_ABI: u32 = 2;
 
 /// Returns the number of the interface of the library, to be compared with [`CLUBFACE_ABI`] of the header.
 #[unsafe(no_mangle)]

@@ -64,6 +64,7 @@ COMMANDS = {
     "optimise": "optimise",
     "study": "study",
     "studio": "studio",
+    "export": "export",
     "schema": "schema",
 }
 """The module of each command, in the order of the help."""

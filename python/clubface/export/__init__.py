@@ -1,1 +1,9 @@
-"""Clubs, models and deliveries for other programs."""
+"""Clubs, models and deliveries for other programs: numbers for the C interface, functions for CasADi, units for FMI.
+
+The package computes nothing here; it writes what the compiled libraries compute from.
+"""
+
+from clubface.export.casadi import casadi_source
+from clubface.export.inputs import inputs_csv
+
+__all__ = ["casadi_source", "inputs_csv"]

@@ -61,6 +61,15 @@ class Differentiable(ABC):
         Names of the variables, in the order of the last axis of what it is called with.
     outputs
         Names of what it returns, in the order of the last axis.
+    places, rows
+        Where the variables are among the columns of the core, and the outputs among its outputs.
+    columns
+        The columns of the core, where a variable has any number in its place.
+    step, sizes
+        Of the differences that second derivatives are: the distance of their points is the step times the greater of a
+        variable and its least size.
+    once
+        What to do instead of differentiating twice; empty where second derivatives exist.
     """
 
     def __init__(
@@ -73,13 +82,13 @@ class Differentiable(ABC):
         step: float = STEP,
         once: str = "",
     ) -> None:
-        self._step, self._once = step, once
+        self.step, self.once = step, once
         self.variables = tuple(variables)
         self.outputs = tuple(outputs)
-        self._places = [place for place, _ in variables.values()]
-        self._sizes = np.array([SIZES.get(each.dimension, 0.0) for _, each in variables.values()])
-        self._rows = list(outputs.values())
-        self._columns = list(columns)
+        self.places = [place for place, _ in variables.values()]
+        self.sizes = np.array([SIZES.get(each.dimension, 0.0) for _, each in variables.values()])
+        self.rows = list(outputs.values())
+        self.columns = list(columns)
         self._threads = threads
         self._on_error = on_error
         self.shape = np.broadcast_shapes(*(np.shape(each) for each in columns))
@@ -90,7 +99,7 @@ class Differentiable(ABC):
         columns, shape = self._laid_out(x)
         computed, problems = self._compute(columns, math.prod(shape))
         self._check(problems, columns, shape, self._on_error)
-        return np.moveaxis(computed[self._rows].reshape(-1, *shape), 0, -1)
+        return np.moveaxis(computed[self.rows].reshape(-1, *shape), 0, -1)
 
     def values_and_jacobian(self, x: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the outputs and their derivatives, shape (..., outputs, variables)."""
@@ -100,7 +109,7 @@ class Differentiable(ABC):
         columns, shape = self._laid_out(x)
         computed, problems = self._differentiate(columns, math.prod(shape))
         self._check(problems, columns, shape, on_error)
-        table = computed.reshape(len(self._rows), 1 + len(self._places), *shape)
+        table = computed.reshape(len(self.rows), 1 + len(self.places), *shape)
         table = np.ascontiguousarray(np.moveaxis(table, (0, 1), (-2, -1)))
         return table[..., 0], table[..., 1:]
 
@@ -111,8 +120,8 @@ class Differentiable(ABC):
         """
         self.check_twice()
         x = np.asarray(x, dtype=np.float64)
-        size = np.maximum(np.abs(x), self._sizes)
-        step = self._step * np.where(np.isfinite(size) & (size > 0.0), size, 1.0)
+        size = np.maximum(np.abs(x), self.sizes)
+        step = self.step * np.where(np.isfinite(size) & (size > 0.0), size, 1.0)
         width = len(self.variables)
         shifts = np.array([place for place, _ in STENCIL])[:, None, None] * np.eye(width)
         axes = (1,) * (x.ndim - 1)
@@ -126,8 +135,8 @@ class Differentiable(ABC):
         """Return the columns of the core, flat or single numbers, and the shape of the batch."""
         x = np.asarray(x, dtype=np.float64)
         shape = np.broadcast_shapes(x.shape[:-1], self.shape)
-        columns = [each if isinstance(each, float) else _flat(each, shape) for each in self._columns]
-        for place, column in zip(self._places, np.moveaxis(x, -1, 0), strict=True):
+        columns = [each if isinstance(each, float) else _flat(each, shape) for each in self.columns]
+        for place, column in zip(self.places, np.moveaxis(x, -1, 0), strict=True):
             columns[place] = _flat(column, shape)
         if math.prod(shape) == 1:  # an array of one element is slower, and deprecated where a number is expected
             columns = [float(each if isinstance(each, float) else each[0]) for each in columns]
@@ -135,8 +144,8 @@ class Differentiable(ABC):
 
     def check_twice(self) -> None:
         """Refuse second derivatives where first ones are not smooth."""
-        if self._once:
-            raise InputError("order of derivatives", 2, self._once)
+        if self.once:
+            raise InputError("order of derivatives", 2, self.once)
 
     def _check(self, problems: Any, columns: Sequence[Any], shape: tuple[int, ...], on_error: str) -> None:
         if problems and on_error == "raise":
@@ -159,7 +168,15 @@ class Differentiable(ABC):
 
 
 class LaunchFunction(Differentiable):
-    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`."""
+    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`.
+
+    Attributes
+    ----------
+    club, ball
+        What meets.
+    accuracy
+        Tolerance of a step of a contact, None for the fast setting.
+    """
 
     def __init__(
         self,
@@ -178,7 +195,7 @@ class LaunchFunction(Differentiable):
     ) -> None:
         check_on_error(on_error)
         described = reduced_model(model, "one with derivatives")
-        self._model, self._accuracy = model, tolerance(accuracy)
+        self._model, self.accuracy = model, tolerance(accuracy)
         known = known_variables(model)
         variables = tuple(variables)
         for name in variables:
@@ -186,6 +203,7 @@ class LaunchFunction(Differentiable):
                 raise InputError(name, Wording("a variable"), "a plain number: there are no derivatives by it")
         check_names("variable", variables, known)
         setup, chosen = equipped(model, club, ball, parameters)
+        self.club, self.ball = setup.club, setup.ball
         # A variable is in its column only when the function is called; until then any number stands for it.
         given = {**values, **{name: 1.0 for name in variables if name in inputs()}}
         fixed = [*shots(setup, given, hand=hand).columns, *chosen.columns()]
@@ -202,7 +220,7 @@ class LaunchFunction(Differentiable):
         """Return what to do where a contact model has no second derivatives."""
         if model.name not in SMOOTH:
             return f"use a model in closed form, such as response: those of {model.name} are not smooth"
-        if self._accuracy is None or self._accuracy > CONTACT_ACCURACY:
+        if self.accuracy is None or self.accuracy > CONTACT_ACCURACY:
             return f"give accuracy={CONTACT_ACCURACY:g} or less: those of {model.name} need it"
         return ""
 
@@ -211,12 +229,12 @@ class LaunchFunction(Differentiable):
 
     def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
         own, parameters = columns[: self._width], columns[self._width :]
-        return core.impact(self._model, own, parameters, count, self._accuracy, self._threads, None)
+        return core.impact(self._model, own, parameters, count, self.accuracy, self._threads, None)
 
     def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
         return core.sensitivities(
-            self._model, columns[: self._width], columns[self._width :], count, self._rows, self._places,
-            self._accuracy, self._threads, None,
+            self._model, columns[: self._width], columns[self._width :], count, self.rows, self.places,
+            self.accuracy, self._threads, None,
         )  # fmt: skip
 
 
@@ -251,7 +269,7 @@ class FlightFunction(Differentiable):
         return core.fly(columns, count, self._threads, None)
 
     def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
-        return core.fly_sensitivities(columns, count, self._rows, self._places, self._threads, None)
+        return core.fly_sensitivities(columns, count, self.rows, self.places, self._threads, None)
 
 
 def _rows(what: str, names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:

@@ -1,0 +1,52 @@
+"""The numbers of a shot in the order of the C interface, as a table that any language reads in a few lines."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
+from clubface.equipment.models import DEFAULT_MODEL, reduced_model
+from clubface.simulation.inputs import equipped, shots
+from clubface.simulation.results import inputs
+
+
+def inputs_csv(
+    club: str | os.PathLike[str] | Club,
+    delivery: Mapping[str, Any],
+    *,
+    model: str = DEFAULT_MODEL,
+    parameters: Any = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    hand: Any = None,
+) -> str:
+    """Return a table with the columns ``kind``, ``name``, ``value`` and ``unit``.
+
+    Its first rows, of the kind ``input``, are the inputs of ``clubface_launches`` in their order, SI; those of the kind
+    ``parameter`` are the parameters of the model. Numbers keep every digit.
+
+    Parameters
+    ----------
+    club, model, parameters, ball, hand
+        As for :func:`clubface.impact`.
+    delivery
+        Its values, SI or text with a unit, by name; the speed must be among them.
+
+    Raises
+    ------
+    InputError
+        A value is missing, unknown or not allowed.
+    """
+    described = reduced_model(model, "one of the C interface")
+    setup, chosen = equipped(model, club, ball, parameters)
+    values = shots(setup, delivery, hand=hand).columns
+    numbers = zip(
+        ("input",) * len(values) + ("parameter",) * len(chosen.values),
+        (*inputs().values(), *described.parameters),
+        (*values, *chosen.columns()),
+        strict=True,
+    )
+    rows = [f"{kind},{each.name},{float(value)!r},{each.unit}\n" for kind, each, value in numbers]
+    return "".join(["kind,name,value,unit\n", *rows])

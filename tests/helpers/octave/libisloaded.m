@@ -1,0 +1,4 @@
+function loaded = libisloaded(alias)
+% LIBISLOADED  Whether a library is loaded: call_library has it.
+loaded = false;
+end
