@@ -68,6 +68,10 @@ wheel-check: wheel ## the wheel in fresh environments outside the checkout: alon
 sdist: $(VENV)/.setup ## the sources as a package
 	$(BIN)/maturin sdist --out target/wheels
 
+PREFIX ?= /usr/local
+libclubface: ## the C library with its header and the files of pkg-config and CMake, in PREFIX=/usr/local
+	@scripts/install-libclubface.sh "$(PREFIX)"
+
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --averages all --output out/
 

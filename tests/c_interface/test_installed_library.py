@@ -165,6 +165,11 @@ def test_the_name_of_the_library_ends_in_the_number_of_its_interface(install):
     assert manifest["package"]["metadata"]["capi"]["library"]["version"] == f"{number}.0.0"
 
 
+def test_make_installs_into_the_prefix():
+    planned = ran("make", "-n", "libclubface", "PREFIX=/a folder", cwd=ROOT)
+    assert planned.strip() == 'scripts/install-libclubface.sh "/a folder"'
+
+
 def test_pkg_config_names_what_the_archive_needs(install, tmp_path):
     environment = {**os.environ, "PKG_CONFIG_PATH": str(install / "lib" / "pkgconfig")}
     assert ran("pkg-config", "--modversion", "clubface", env=environment).strip() == __version__
