@@ -1,5 +1,6 @@
 """Units for co-simulation, as a master of FMI 2.0 and 3.0 uses them: through FMPy."""
 
+import zipfile
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 import clubface
 from clubface.errors import ClubfaceError
 from clubface.export.fmu import write_fmu
+from command_line import process
 
 fmpy = pytest.importorskip("fmpy")
 DELIVERY = {"speed": "105 mph", "attack": "3 deg", "loft": "13 deg", "toe": "10 mm", "closure": "2000 deg/s"}
@@ -186,3 +188,11 @@ def test_mistakes_are_named(tmp_path, mistake):
     with pytest.raises(ClubfaceError):
         write_fmu(tmp_path / given.pop("path"), given.pop("club"), **given)
     assert not [*tmp_path.iterdir()]
+
+
+def test_the_command_writes_the_same_unit(tmp_path):
+    done = process("export", "fmu", "driver", "--model", "area", "--set", "friction=0.1", "-o", str(tmp_path / "a.fmu"))
+    assert done.returncode == 0
+    written = write_fmu(tmp_path / "b.fmu", "driver", model="area", parameters={"friction": 0.1})
+    one, other = (zipfile.ZipFile(path).read("resources/impact.json") for path in (tmp_path / "a.fmu", written))
+    assert one == other

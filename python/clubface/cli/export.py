@@ -17,6 +17,9 @@ FUNCTION = options.group("Function", {
     "quantity": (options.Texts, None, "NAME", "Launch quantity that it returns, such as backspin; all unless given. "
                                               "Several with commas or repeated."),
 })  # fmt: skip
+UNIT = options.group("Unit", {
+    "standard": (str, "2.0", "VERSION", "Version of the FMI standard: 2.0 or 3.0."),
+})  # fmt: skip
 Source = Annotated[str, options.output("FILE", "Write it to this file. Required.")]
 
 
@@ -55,6 +58,20 @@ def casadi(club: options.ClubArgument, output: Source, **texts: Any) -> None:
         **options.conditions(texts),
     )  # fmt: skip
     print_written([write_text(output, text)])
+
+
+@app.command()
+@options.takes(options.EQUIPMENT, options.SHAFT, options.CONTACT_MODEL, UNIT)
+def fmu(club: options.ClubArgument, output: Source, **texts: Any) -> None:
+    """Write a unit for co-simulation (FMI 2.0 or 3.0): the ball that the head of another program strikes."""
+    from clubface.export import write_fmu
+
+    head, given = _head(club, texts), {**texts, "accuracy": None}
+    path = write_fmu(
+        output, head, model=texts["model"], parameters=options.one_set(head, given), ball=texts["ball"],
+        version=texts["standard"],
+    )  # fmt: skip
+    print_written([path])
 
 
 def _head(club: str, texts: dict[str, Any]) -> Any:

@@ -170,6 +170,15 @@ _PARAMETERS: Group = {
 }
 _FITTED_MODEL = Annotated[str | None, option("--model", panel=_MODEL, metavar="NAME", text="The model. Required.")]
 ONE_MODEL: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_PARAMETERS}
+CONTACT_MODEL: Group = {
+    "model": (
+        Annotated[
+            str, option("--model", panel=_MODEL, metavar="NAME", text="A contact model: volumetric, rings or area.")
+        ],
+        "volumetric",
+    ),
+    **{name: each for name, each in _PARAMETERS.items() if name != "accuracy"},
+}
 FITTED_MODEL: Group = {"model": (_FITTED_MODEL, None), **_PARAMETERS}
 MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
 

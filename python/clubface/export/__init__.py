@@ -4,6 +4,7 @@ The package computes nothing here; it writes what the compiled libraries compute
 """
 
 from clubface.export.casadi import casadi_source
+from clubface.export.fmu import write_fmu
 from clubface.export.inputs import inputs_csv
 
-__all__ = ["casadi_source", "inputs_csv"]
+__all__ = ["casadi_source", "inputs_csv", "write_fmu"]

@@ -103,7 +103,7 @@ def write_fmu(
         This installation has no native library for units.
     """
     target = Path(path)
-    check_choice("version", version, VERSIONS)
+    check_choice("standard", version, VERSIONS)
     if target.suffix != ".fmu" or not re.fullmatch(r"[A-Za-z_]\w*", target.stem):
         allowed = "a file name that ends in .fmu, of letters, digits and underscores, as in impact.fmu"
         raise InputError("output", str(path), allowed)
