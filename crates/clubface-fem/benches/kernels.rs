@@ -6,9 +6,12 @@
 #![allow(missing_docs)]
 
 use clubface_fem::element::{Element, Patch};
-use clubface_fem::material::{Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises, law_from_name};
+use clubface_fem::material::{
+    Energy, Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises, law_from_name,
+};
 use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_math::Row;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Times that something is done.
@@ -43,6 +46,14 @@ fn main() {
     let ogden = law_from_name("ogden", &[4e6, 3.5, -3e6, -2.0]).expect("the constants are allowed");
     let metal = VonMises { shear: 1e7, hardening: Hardening::linear(2e5, 1e6) }.law();
     let with_law = |law| Material { law, bulk: 5e8, maxwell: vec![], density: 1150.0 };
+    let energy = |text: &str, constants: &[f64]| {
+        let energy = Arc::new(Energy::new(text).expect("an energy"));
+        with_law(energy.law(constants).expect("its constants"))
+    };
+    let written = energy("c10*(I1-3) + c01*(I2-3)", &[4e6, 1e6]);
+    let yeoh = energy("c10*(I1-3) + c20*(I1-3)^2 + c30*(I1-3)^3", &[5e6, 1e5, 1e4]);
+    let gent = energy("-mu/2*limit*log(1 - (I1-3)/limit)", &[1e7, 20.0]);
+    let fung = energy("mu/(2*b)*(exp(b*(I1-3)) - 1)", &[1e7, 0.3]);
     let branch = Maxwell { modulus: 0.3, time: 1e-4 };
     let materials = [
         ("Mooney-Rivlin", with_law(rubber.clone())),
@@ -51,6 +62,11 @@ fn main() {
         ("Mooney-Rivlin, two branches", Material { maxwell: vec![branch; 2], ..with_law(rubber) }),
         ("Ogden", with_law(ogden)),
         ("von Mises", with_law(metal)),
+        ("Mooney-Rivlin as an energy", written.clone()),
+        ("Mooney-Rivlin as an energy, one branch", Material { maxwell: vec![branch], ..written }),
+        ("Yeoh as an energy", yeoh),
+        ("Gent as an energy", gent),
+        ("Fung as an energy", fung),
     ];
     for (name, material) in &materials {
         for (arrangement, element, mesh) in [

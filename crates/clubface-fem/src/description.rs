@@ -7,13 +7,14 @@ use crate::contact::{ContactMethod, Grooves};
 use crate::element::{DEFAULT_POINTS, Element, Isotropic, Rule, ShellMaterial};
 use crate::environment::Environment;
 use crate::head::{DeformableHead, Driver, ShellHead, ShellPart, SolidHead};
-use crate::material::{Hardening, Hencky, Material, Maxwell, VonMises, law_from_name};
+use crate::material::{Energy, Hardening, Hencky, Material, Maxwell, VonMises, law_from_name};
 use crate::mesh::{DriverFineness, DriverShape, DriverThickness, ShellMesh, SolidMesh, Target, Trim};
 use crate::sensitivity::ImpactSetup;
 use crate::solve::{Options, Recording, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{INPUT_COUNT, Shot};
 use clubface_math::Vec3;
+use std::sync::Arc;
 
 /// Declares structs that are read from data of other languages; an unknown field is an error.
 macro_rules! described {
@@ -42,6 +43,8 @@ described! {
         law: String,
         /// Constants of the law, in its order.
         constants: Vec<f64>,
+        /// The energy whose constants they are, for the law "energy".
+        energy: Option<String>,
         /// Bulk modulus, Pa.
         bulk: f64,
         /// Viscoelastic branches: shear modulus over that of the law, relaxation time (s).
@@ -350,7 +353,10 @@ impl BallDescription {
     pub fn build(&self) -> Result<BallConstruction<f64>, FemError> {
         let mut pieces = Vec::new();
         for piece in &self.pieces {
-            let law = law_from_name(&piece.law, &piece.constants)?;
+            let law = match &piece.energy {
+                Some(energy) => Arc::new(Energy::new(energy)?).law(&piece.constants)?,
+                None => law_from_name(&piece.law, &piece.constants)?,
+            };
             let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
             let material = Material { law, bulk: piece.bulk, maxwell, density: piece.density };
             let (radius, layers) = (piece.radius, piece.layers);

@@ -12,6 +12,7 @@ from types import ModuleType
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
 from clubface.fem.derivatives import Derivatives, sensitivity, variables
+from clubface.fem.energies import Energy
 from clubface.fem.heads import (
     DriverHead,
     Hardening,
@@ -31,9 +32,9 @@ from clubface.fem.run import strike, throw
 from clubface.fem.settings import Settings
 
 __all__ = [
-    "Ball", "Derivatives", "DriverHead", "ElementFields", "Hardening", "Impact", "IronHead", "Material", "Maxwell",
-    "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball", "ball_names", "head",
-    "head_names", "laws", "reference", "sensitivity", "strike", "throw", "variables",
+    "Ball", "Derivatives", "DriverHead", "ElementFields", "Energy", "Hardening", "Impact", "IronHead", "Material",
+    "Maxwell", "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball", "ball_names",
+    "head", "head_names", "laws", "reference", "sensitivity", "strike", "throw", "variables",
 ]  # fmt: skip
 
 _MODULES = (

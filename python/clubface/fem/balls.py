@@ -23,6 +23,7 @@ from clubface.equipment.balls import (
 )
 from clubface.errors import InputError
 from clubface.fem import core
+from clubface.fem.energies import ENERGY, Energy
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import Material, Maxwell, laws
 from clubface.results.result import Result
@@ -36,6 +37,21 @@ from clubface.support.files import builtin_path, is_path, path_of
 __all__ = ["Ball", "Piece", "ball", "ball_names"]
 
 LAYERS = count(1, 48)
+CONSTANT = Simple("a stress with its unit, or a number", schema={"type": ["string", "number"]})
+NOT_CONSTANTS = (
+    "name",
+    "layers",
+    "thickness",
+    "law",
+    "youngs",
+    "energy",
+    "poisson",
+    "density",
+    "maxwell",
+    "radius",
+    "bulk",
+)
+"""Keys of a piece, and its variables in derivatives, that no constant of an energy may be called."""
 THICKNESS = PhysicalValue("mm", 0.01, 20)
 
 
@@ -71,13 +87,17 @@ class Piece:
 
 
 def _made_piece(values: dict[str, Any], place: Place) -> Piece:
-    """Return the piece of a table [[pieces]], whose constants are those of its law."""
+    """Return the piece of a table [[pieces]], whose constants are those of its law or its energy."""
     names = {name for law in laws().values() for name in law.constants}
+    if "energy" in values:
+        names = {*names, *Energy.read(values["energy"]).constants}
     constants = {name: values.pop(name) for name in [*values] if name in names}
     piece = {name: values.pop(name) for name in ("name", "layers", "thickness") if name in values}
+    if "law" not in values and "energy" not in values:
+        raise place.key("law").invalid(None, f"give a law ({', '.join(laws())}), or an energy in its place")
     if "youngs" not in values:
         return Piece(material=Material(constants=constants, **values), **piece)
-    law, youngs = values.pop("law"), values["youngs"]
+    law, youngs = values.pop("law", ENERGY), values["youngs"]
     if law != "linear":
         raise place.key("youngs").invalid(youngs, f"leave it out: {law} has constants of its own")
     for name, value in constants.items():
@@ -94,12 +114,44 @@ def _piece_keys() -> Mapping[str, Value]:
         "thickness": THICKNESS,
         "law": Choice(lambda: tuple(laws())),
         "youngs": PhysicalValue("MPa"),
+        "energy": TEXT,
     }
     more = {"poisson": PhysicalValue("1"), "density": PhysicalValue("kg/m3"), "maxwell": Tables(Table(Maxwell))}
     return own | more | {name: PhysicalValue(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
 
 
-PIECE = Record(_piece_keys, ("name", "law", "layers", "poisson"), make=_made_piece)
+@dataclass(repr=False, eq=False)
+class PieceRecord(Record):
+    """The kind of one of [[pieces]]: the constants of an energy have the names that it gives them."""
+
+    def read(self, given: Any, place: Place) -> Any:
+        text = given.get("energy") if isinstance(given, Mapping) else None
+        if not isinstance(text, str):
+            return super().read(given, place)
+        with (at := place.key("energy")).errors():
+            taken = [name for name in Energy.read(text).constants if name in NOT_CONSTANTS]
+            if taken:
+                raise at.invalid(text, f"one whose constants have names of their own; {taken[0]} is another key")
+        return Record(self.kinds_of(given), self.required, make=self.make).read(given, place)
+
+    def kinds_of(self, given: Mapping[str, Any]) -> Mapping[str, Value]:
+        """Return the kinds of the keys of a piece, the constants of its energy among them."""
+        if not isinstance(given.get("energy"), str):
+            return self.keys()
+        dimensions = Energy.read(given["energy"]).dimensions
+        kinds = {
+            name: CONSTANT if dimension is None else PhysicalValue(units.SI_UNITS[dimension])
+            for name, dimension in dimensions.items()
+        }
+        # Those of laws are no constants of this piece.
+        return {name: kind for name, kind in self.keys().items() if name in NOT_CONSTANTS} | kinds
+
+    def json(self) -> dict[str, Any]:
+        # The names of an energy's constants are whatever it calls them.
+        return super().json() | {"additionalProperties": CONSTANT.json()}
+
+
+PIECE = PieceRecord(_piece_keys, ("name", "layers", "poisson"), make=_made_piece)
 """The kind of one of [[pieces]]."""
 
 
@@ -222,6 +274,7 @@ class Ball:
                 "layers": piece.layers,
                 "law": piece.material.law,
                 "constants": list(piece.material.constants.values()),
+                "energy": piece.material.energy,
                 "bulk": piece.material.bulk,
                 "maxwell": [(branch.modulus, branch.time) for branch in piece.material.maxwell],
                 "density": piece.material.density or 0.0,

@@ -10,7 +10,6 @@ from clubface import units
 from clubface.equipment.balls import BALL_DIAMETER_LIMIT, BALL_MASS_LIMIT
 from clubface.fem.accuracy import error_note, mesh_row
 from clubface.fem.balls import Ball
-from clubface.fem.materials import laws
 from clubface.fem.paper import PUBLISHED, SPIN_FACTOR, other_solvers, spin_factor, table as paper_table
 from clubface.fem.result import Impact
 from clubface.quantities import quantity
@@ -169,10 +168,8 @@ def materials_table(ball: Ball) -> Table:
     rows: list[tuple[str, str, float, str]] = []
     values = ball.values()
     for piece, core in zip(ball.pieces, values["pieces"], strict=True):
-        constants = {
-            name: (value, SI_UNITS[laws()[piece.material.law].constants[name]])
-            for name, value in piece.material.constants.items()
-        }
+        dimensions = piece.material.constant_dimensions()
+        constants = {name: (value, SI_UNITS[dimensions[name]]) for name, value in piece.material.constants.items()}
         known = {
             "radius": (core["radius"], "m"), "layers": (piece.layers, "1"), "density": (core["density"], "kg/m3"),
             "bulk_modulus": (core["bulk"], "Pa"), **constants,

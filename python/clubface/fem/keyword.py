@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest, turn_to_sole
+from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.balls import Ball
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
@@ -386,6 +387,9 @@ def _material(deck: Cards, number: int, material: Material, density: float) -> N
     branches, constants, shear = material.maxwell, material.constants, material.shear
     prony = [[branch.modulus * shear, 1.0 / branch.time] for branch in branches]
     start, rubber = [number, density, material.poisson], [number, density, material.poisson, 0, len(branches)]
+    if material.energy is not None:
+        allowed = "a law that LS-DYNA has a card for; give a law in place of the energy, such as ogden"
+        raise InputError("energy", material.energy, allowed)
     if material.law == "ogden":
         terms = [[value for name, value in constants.items() if name.startswith(kind)] for kind in ("mu", "alpha")]
         deck.keyword("MAT_OGDEN_RUBBER", rubber, *terms, names="mid ro pr n nv")

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem import core
+from clubface.fem.energies import ENERGY, Energy
 from clubface.schema import PhysicalValue, check_values, file_key
 from clubface.support.checks import Frozen, check_choice, check_names
 
@@ -106,8 +107,12 @@ class Material:
     ----------
     law
         The name of an elastic law, see :func:`laws`. "linear" may also be given by ``youngs``.
+    energy
+        In place of a law: the energy of a change of shape per unit reference volume as an expression in the invariants
+        I1 and I2 and constants of any names, as in "c10*(I1-3) + c20*(I1-3)^2"; see
+        :class:`clubface.fem.Energy`.
     constants
-        The constants of the law by name [Pa; exponents are plain numbers].
+        The constants of the law, or of the energy, by name [Pa; exponents are plain numbers].
     poisson
         Poisson's ratio at small strain, below 0.5; it sets the bulk modulus.
     density
@@ -116,15 +121,16 @@ class Material:
         Viscoelastic branches.
     """
 
-    law: str
+    law: str = ENERGY
     constants: Mapping[str, float]
     poisson: float
+    energy: str | None = None
     density: float | None = None
     maxwell: tuple[Maxwell, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        check_choice("law", self.law, laws())
-        values = laws()[self.law].given(self.constants)
+        law = self._law()
+        values = law.given(self.constants)
         object.__setattr__(self, "constants", Frozen(values))
         object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
         if not -0.9 <= self.poisson <= 0.4999:
@@ -136,20 +142,39 @@ class Material:
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
-        laws()[self.law].check(values)
+        law.check(values)
         if not SHEAR[0] <= self.shear <= SHEAR[1]:
+            if self.energy is not None:
+                raise InputError("energy", self.energy, _shear_allowed(self.shear))
             name, value = next(iter(values.items()))
             raise InputError(name, units.show(value, "MPa"), _shear_allowed(self.shear))
+
+    def _law(self) -> Law | Energy:
+        """Return the law, or the energy in its place, before the constants are known to fit."""
+        if self.energy is not None:
+            if self.law != ENERGY:
+                raise InputError("law", self.law, "leave it out, since the energy is given")
+            return Energy.read(self.energy)
+        if self.law == ENERGY:
+            raise InputError("law", None, f"give a law ({', '.join(laws())}), or an energy in its place")
+        check_choice("law", self.law, laws())
+        return laws()[self.law]
 
     @property
     def shear(self) -> float:
         """Shear modulus of small, slow deformation [Pa]."""
-        return core.fem_shear(self.law, list(self.constants.values()))[0]
+        return core.fem_shear(self.law, list(self.constants.values()), self.energy)[0]
 
     def shear_slope(self, constant: str) -> float:
         """Return the derivative of the shear modulus by a constant of the law."""
-        slopes = core.fem_shear(self.law, list(self.constants.values()))[1]
+        slopes = core.fem_shear(self.law, list(self.constants.values()), self.energy)[1]
         return slopes[list(self.constants).index(constant)]
+
+    def constant_dimensions(self) -> dict[str, str]:
+        """Return the dimension of each constant, as in :mod:`clubface.units`."""
+        law = self._law()
+        known = law.dimensions if isinstance(law, Energy) else law.constants
+        return {name: known[name] or units.DIMENSIONLESS for name in self.constants}
 
     @property
     def bulk(self) -> float:

@@ -5,6 +5,7 @@
 //! and the contract tests are all made from the table.
 
 use super::description::Description;
+use super::energy::Energy;
 use super::law::PointLaw;
 use super::viscous::Branches;
 use crate::error::FemError;
@@ -49,13 +50,29 @@ pub struct Entry {
     pub derived: Constructor<Dual<f64, DERIVATIVES>>,
 }
 
+/// What makes a law of its constants, over any number.
+#[derive(Clone, Copy, Debug)]
+pub enum Origin<'a> {
+    /// A line of a table.
+    Table(Entry),
+    /// An energy that a file has written down.
+    Energy(&'a Arc<Energy>),
+}
+
 /// A law of the change of shape with its constants.
 pub trait Law<R: Real>: Debug + Send + Sync {
-    /// Its line in a table.
-    fn entry(&self) -> Entry;
+    /// What makes it of its constants.
+    fn origin(&self) -> Origin<'_>;
     /// Description of the law.
-    fn description(&self) -> &'static Description {
-        self.entry().description
+    fn description(&self) -> &'static Description;
+    /// Names of its constants, as in files.
+    fn constant_names(&self) -> Vec<&str> {
+        match self.origin() {
+            Origin::Table(entry) => {
+                entry.description.constants.iter().map(|constant| constant.name).collect()
+            }
+            Origin::Energy(energy) => energy.constants().iter().map(String::as_str).collect(),
+        }
     }
     /// Its constants, SI, in the order of the description.
     fn constants(&self) -> &[R];

@@ -47,12 +47,46 @@ impl<S: Scalar, L: OfInvariants<S>> Isochoric<S> for Invariants<L> {
     }
     #[inline(always)]
     fn second_piola(&self, at: &Deformation<S>, pressure: S, weight: S) -> Symmetric<S> {
+        let kinematics = InvariantKinematics::new(at);
+        let factors = self.0.factors(kinematics.first, kinematics.second);
+        kinematics.second_piola(at, factors, pressure, weight)
+    }
+}
+
+/// What the stress of a law of the invariants follows from, in fewer operations than of any law.
+#[derive(Clone, Copy, Debug)]
+pub struct InvariantKinematics<S> {
+    cofactors: Symmetric<S>,
+    shape: S,
+    inverse_volume: S,
+    /// `tr C̄`.
+    pub first: S,
+    /// `tr C̄^-1`.
+    pub second: S,
+}
+
+impl<S: Scalar> InvariantKinematics<S> {
+    /// At a deformation.
+    #[inline(always)]
+    pub fn new(at: &Deformation<S>) -> Self {
         let cofactors = at.right.cofactors();
         let shape = at.root.product(at.root);
         let inverse_volume = shape.product(at.root);
         let first = at.right.trace().product(shape);
         let second = cofactors.trace().product(shape.product(shape));
-        let [one, along] = self.0.factors(first, second);
+        Self { cofactors, shape, inverse_volume, first, second }
+    }
+    /// Second Piola-Kirchhoff stress with `pressure`, `dW/dJ`, times a weight, from the factors (Pa) of the identity
+    /// and of `C̄` in `2 dW/dC̄`.
+    #[inline(always)]
+    pub fn second_piola(
+        &self,
+        at: &Deformation<S>,
+        [one, along]: [S; 2],
+        pressure: S,
+        weight: S,
+    ) -> Symmetric<S> {
+        let Self { cofactors, shape, inverse_volume, first, second } = *self;
         // S : C̄ = one tr C̄ + along tr C̄^2, and J C^-1 = cof C / J.
         let square = first.mul_add(first, -(second + second));
         let mean = along.mul_add(square, one.product(first)).product(inverse_volume * (1.0 / 3.0));

@@ -7,6 +7,7 @@
 mod body;
 mod deformation;
 mod description;
+mod energy;
 mod family;
 mod hardening;
 mod hencky;
@@ -29,10 +30,13 @@ pub use body::Material;
 pub use clubface_impact::{description::FromValues, scalars};
 pub use deformation::{Deformation, Kinematics};
 pub use description::{Constant, Description};
-pub use family::{DERIVATIVES, Entry, Family, Law};
+pub use energy::{Energy, EnergyLaw, Instability, STRETCHES};
+pub use family::{DERIVATIVES, Entry, Family, Law, Origin};
 pub use hardening::{HARDENING_POINTS, Hardening};
 pub use hencky::Hencky;
-pub use law::{Elastic, Inelastic, Invariants, Isochoric, OfInvariants, PointLaw, WithState};
+pub use law::{
+    Elastic, Inelastic, InvariantKinematics, Invariants, Isochoric, OfInvariants, PointLaw, WithState,
+};
 pub use laws::{LAWS, law_from_name};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
@@ -43,6 +47,6 @@ pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};
 pub use state_variables::{Numbers, StateVariables, Update, Updates, eight_alike};
 pub use symmetric::{Symmetric, times};
 pub(crate) use symmetric::{cross, dot};
-pub use table::{Number, build, entry, entry_from_name, from_table, map_law};
+pub use table::{Number, Staged, build, entry, entry_from_name, from_table, map_law};
 pub use viscous::{Branches, Decay, MAX_TERMS, Maxwell};
 pub use von_mises::{PlasticState, VonMises};

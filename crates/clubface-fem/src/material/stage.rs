@@ -77,10 +77,31 @@ pub type Slot<P> = Option<Box<dyn StressStage<P>>>;
 
 /// Viscoelastic branches of a stage, none for an elastic material.
 #[derive(Clone, Copy)]
-struct Branching<P> {
+pub(super) struct Branching<P> {
     decays: [Decay<P>; MAX_TERMS],
     count: usize,
     add_work: bool,
+}
+
+impl<P: Pack> Branching<P> {
+    #[inline(always)]
+    pub(super) fn new(branches: &Branches<P::Real>) -> Self {
+        let nothing = Decay { way: P::zero(), half: P::zero() };
+        let (mut decays, count) = ([nothing; MAX_TERMS], branches.decays.len());
+        for i in 0..count {
+            let Decay { way, half } = branches.decays[i];
+            decays[i] = Decay { way: P::splat(way), half: P::splat(half) };
+        }
+        Self { decays, count, add_work: branches.add_work }
+    }
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+    #[inline(always)]
+    pub(super) fn branches(&self) -> Branches<'_, P> {
+        Branches { decays: &self.decays[..self.count], add_work: self.add_work }
+    }
 }
 
 /// The stage of a law.
@@ -93,19 +114,13 @@ pub(super) struct Stage<P, L> {
 impl<P: Pack, L: PointLaw<P>> Stage<P, L> {
     #[inline(always)]
     pub(super) fn new(law: L, branches: &Branches<P::Real>) -> Self {
-        let nothing = Decay { way: P::zero(), half: P::zero() };
-        let (mut decays, count) = ([nothing; MAX_TERMS], branches.decays.len());
-        for i in 0..count {
-            let Decay { way, half } = branches.decays[i];
-            decays[i] = Decay { way: P::splat(way), half: P::splat(half) };
-        }
-        Self { law, branching: Branching { decays, count, add_work: branches.add_work } }
+        Self { law, branching: Branching::new(branches) }
     }
 }
 
 impl<P: Pack, L: PointLaw<P>> StressStage<P> for Stage<P, L> {
     fn stress(&self, points: &mut Points<P>) {
-        if self.branching.count == 0 {
+        if self.branching.is_empty() {
             P::outline(Stress(&Unbranched(self), points));
         } else {
             P::outline(Stress(self, points));
@@ -142,11 +157,9 @@ impl<P: Pack, L: PointLaw<P>> PointStress<P> for Stage<P, L> {
         state: &mut StateVariables<P::Real>,
         lane: usize,
     ) -> Symmetric<P> {
-        let Branching { decays, count, add_work } = &self.branching;
-        let branches = Branches { decays: &decays[..*count], add_work: *add_work };
         let kinematics = Kinematics::from_deformation(*at);
         let elastic = self.law.update(&kinematics.c, state, lane);
-        let stress = add_branches(&kinematics, elastic, &branches, state, lane);
+        let stress = add_branches(&kinematics, elastic, &self.branching.branches(), state, lane);
         kinematics.second_piola(&stress, pressure, weight)
     }
 }
@@ -215,7 +228,7 @@ impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, '_, P, L> {
         for i in 0..c.len() {
             let at = *lane + i * *step;
             let [strain, plastic] = law.energy(&c[i], state, at);
-            let viscous = if branching.count == 0 { P::zero() } else { work(state, at) };
+            let viscous = if branching.is_empty() { P::zero() } else { work(state, at) };
             energies[i] = PointEnergy { strain, viscous, plastic };
         }
     }

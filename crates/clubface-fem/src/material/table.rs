@@ -1,8 +1,9 @@
 //! The table of laws: how a law by name becomes one that computes, over every number that laws are compiled for and
 //! for all of its packs.
 
-use super::family::{DERIVATIVES, Entry, Family, Law};
-use super::stage::{Slot, Stage};
+use super::description::Description;
+use super::family::{DERIVATIVES, Entry, Family, Law, Origin};
+use super::stage::{Slot, Stage, StressStage};
 use super::viscous::Branches;
 use crate::error::FemError;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -19,7 +20,13 @@ pub trait Number: Real + Pack<Real = Self> {
     /// The law of a line of a table.
     fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>>;
     /// Fills a slot with the stage of a law, for the type of packs that the slot asks for.
-    fn stage<F: Family>(constants: &[Self], branches: &Branches<Self>, slot: &mut dyn Any);
+    fn stage(law: &impl Staged<Self>, branches: &Branches<Self>, slot: &mut dyn Any);
+}
+
+/// A law that has a stage for packs of every type.
+pub trait Staged<R: Real> {
+    /// Its stage in a step.
+    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>>;
 }
 
 /// The line of a law.
@@ -47,9 +54,15 @@ pub fn map_law<R: Real, T: Number>(
     law: &dyn Law<R>,
     number: &mut dyn FnMut(&str, R) -> T,
 ) -> Arc<dyn Law<T>> {
-    let named = law.description().constants.iter().zip(law.constants());
-    let constants: Vec<T> = named.map(|(constant, value)| number(constant.name, *value)).collect();
-    T::law(&law.entry(), &constants)
+    let named = law.constant_names().into_iter().zip(law.constants());
+    let constants: Vec<T> = named.map(|(name, value)| number(name, *value)).collect();
+    match law.origin() {
+        Origin::Table(entry) => T::law(&entry, &constants),
+        Origin::Energy(energy) => match energy.law(&constants) {
+            Ok(law) => law,
+            Err(_) => unreachable!("as many constants as the law has"),
+        },
+    }
 }
 
 /// The line of a law that takes as many constants.
@@ -86,8 +99,11 @@ struct Built<F, R> {
 }
 
 impl<F: Family, R: Number> Law<R> for Built<F, R> {
-    fn entry(&self) -> Entry {
-        entry::<F>()
+    fn origin(&self) -> Origin<'_> {
+        Origin::Table(entry::<F>())
+    }
+    fn description(&self) -> &'static Description {
+        const { &F::DESCRIPTION }
     }
     fn constants(&self) -> &[R] {
         &self.constants
@@ -118,13 +134,23 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
         Ok(())
     }
     fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any) {
-        R::stage::<F>(&self.constants, branches, slot);
+        R::stage(self, branches, slot);
     }
 }
 
 /// A law from its constants.
 pub fn build<F: Family, R: Number>(constants: &[R]) -> Arc<dyn Law<R>> {
     Arc::new(Built { constants: constants.to_vec(), family: PhantomData::<F> })
+}
+
+impl<F: Family, R: Number> Staged<R> for Built<F, R> {
+    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>> {
+        <P as Scalar>::outline(MakeStage::<F, P> {
+            constants: &self.constants,
+            branches,
+            family: PhantomData,
+        })
+    }
 }
 
 /// Makes the stage of a law for packs of a type, with the features of the CPU that they need.
@@ -135,14 +161,14 @@ struct MakeStage<'a, F, P: Pack> {
 }
 
 impl<F: Family, P: Pack> Computation for MakeStage<'_, F, P> {
-    type Output = Slot<P>;
+    type Output = Box<dyn StressStage<P>>;
     #[inline(always)]
     fn run(self) -> Self::Output {
         let mut constants = Vec::with_capacity(self.constants.len());
         for constant in self.constants {
             constants.push(P::splat(*constant));
         }
-        Some(Box::new(Stage::new(F::over(&constants), self.branches)))
+        Box::new(Stage::new(F::over(&constants), self.branches))
     }
 }
 
@@ -153,11 +179,10 @@ macro_rules! number {
             fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>> {
                 (entry.$law)(constants)
             }
-            fn stage<F: Family>(constants: &[Self], branches: &Branches<Self>, slot: &mut dyn Any) {
+            fn stage(law: &impl Staged<Self>, branches: &Branches<Self>, slot: &mut dyn Any) {
                 $($(#[$where])?
                 if let Some(slot) = slot.downcast_mut::<Slot<$pack>>() {
-                    let family = PhantomData::<F>;
-                    *slot = <$pack as Scalar>::outline(MakeStage::<F, $pack> { constants, branches, family });
+                    *slot = Some(law.boxed::<$pack>(branches));
                     return;
                 })+
                 unreachable!("packs that laws are not compiled for");

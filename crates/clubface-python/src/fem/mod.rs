@@ -9,9 +9,10 @@ pub use run::FemImpact;
 
 use crate::columns::Derivatives;
 use crate::describe::describe;
+use clubface_fem::FemError;
 use clubface_fem::description::{BallDescription, CaseDescription};
 use clubface_fem::environment::Environment;
-use clubface_fem::material::{LAWS, entry_from_name, law_from_name};
+use clubface_fem::material::{DERIVATIVES, Energy, LAWS, Law, entry_from_name, map_law};
 use clubface_fem::solve::Progress;
 use clubface_math::Dual;
 use described::{Described, to_py_error};
@@ -19,6 +20,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{on_threads, record, run_pool};
+use std::sync::Arc;
 
 /// The laws that files choose by name: [{name, summary, source, constants: [{name, dimension, meaning, least, most}, ...],
 /// needed: how many of them, group: how many more at a time}, ...].
@@ -28,24 +30,74 @@ pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &laws)
 }
 
-/// Raises ValueError(name, value, allowed) for constants (SI) that a law does not allow.
-#[pyfunction]
-#[allow(clippy::needless_pass_by_value)]
-pub fn fem_check_law(law: &str, constants: Vec<f64>) -> PyResult<()> {
-    law_from_name(law, &constants).map(|_| ()).map_err(|e| to_py_error(&e))
+/// The law of a piece: one of the table, or an energy with its constants.
+fn law_of(law: &str, constants: &[f64], energy: Option<&str>) -> Result<Arc<dyn Law<f64>>, FemError> {
+    match energy {
+        Some(energy) => Arc::new(Energy::new(energy)?).law(constants),
+        None => Ok((entry_from_name(LAWS, law, constants.len())?.plain)(constants)),
+    }
 }
 
-/// Shear modulus of a law by name (Pa), and its derivatives by the constants (SI), which are not checked.
+/// Raises ValueError(name, value, allowed) for constants (SI) that a law, or an energy, does not allow.
+#[pyfunction]
+#[pyo3(signature = (law, constants, energy=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_check_law(law: &str, constants: Vec<f64>, energy: Option<&str>) -> PyResult<()> {
+    law_of(law, &constants, energy).and_then(|made| made.check(law)).map_err(|e| to_py_error(&e))
+}
+
+/// Shear modulus of a law by name, or of an energy (Pa), and its derivatives by the constants (SI), which are not
+/// checked.
+#[pyfunction]
+#[pyo3(signature = (law, constants, energy=None))]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_shear(law: &str, constants: Vec<f64>, energy: Option<&str>) -> PyResult<(f64, Vec<f64>)> {
+    let made = law_of(law, &constants, energy).map_err(|e| to_py_error(&e))?;
+    let slope = |chosen: usize| {
+        let mut place = 0;
+        let lifted: Arc<dyn Law<Dual<f64, DERIVATIVES>>> = map_law(&*made, &mut |_, value| {
+            place += 1;
+            if place == chosen + 1 { Dual::variable(value, 0) } else { Dual::constant(value) }
+        });
+        lifted.shear().tangent[0]
+    };
+    Ok((made.shear(), (0..constants.len()).map(slope).collect()))
+}
+
+/// Names of the constants of an energy, in the order in which they come in it.
+#[pyfunction]
+pub fn fem_energy(energy: &str) -> PyResult<Vec<String>> {
+    Ok(Energy::new(energy).map_err(|e| to_py_error(&e))?.constants().to_vec())
+}
+
+/// Energy (J/m3) and its derivatives by both invariants (Pa) at some of these, a row each.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-pub fn fem_shear(law: &str, constants: Vec<f64>) -> PyResult<(f64, Vec<f64>)> {
-    let entry = entry_from_name(LAWS, law, constants.len()).map_err(|e| to_py_error(&e))?;
-    let slope = |i: usize| {
-        let mut lifted: Vec<_> = constants.iter().map(|&value| Dual::constant(value)).collect();
-        lifted[i] = Dual::variable(constants[i], 0);
-        (entry.derived)(&lifted).shear().tangent[0]
+pub fn fem_energy_values(
+    energy: &str,
+    constants: Vec<f64>,
+    invariants: Vec<[f64; 2]>,
+) -> PyResult<Vec<[f64; 3]>> {
+    let energy = Arc::new(Energy::new(energy).map_err(|e| to_py_error(&e))?);
+    energy.law(&constants).map_err(|e| to_py_error(&e))?;
+    let row = |at: [f64; 2]| {
+        let (value, [first, second], _) = energy.evaluate(&constants, at);
+        [value, first, second]
     };
-    Ok(((entry.plain)(&constants).shear(), (0..constants.len()).map(slope).collect()))
+    Ok(invariants.into_iter().map(row).collect())
+}
+
+/// Where a material of an energy loses its stiffness within the stretches of impacts: (kind of stretch, stretch, whether
+/// the energy is no number there); None if nowhere.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_energy_instability(
+    energy: &str,
+    constants: Vec<f64>,
+) -> PyResult<Option<(&'static str, f64, bool)>> {
+    let energy = Arc::new(Energy::new(energy).map_err(|e| to_py_error(&e))?);
+    energy.law(&constants).map_err(|e| to_py_error(&e))?;
+    Ok(energy.instability(&constants).map(|at| (at.mode, at.stretch, at.undefined)))
 }
 
 /// Mass properties of a meshed ball: {mass, inertia, core_density, radius, nodes, elements}.

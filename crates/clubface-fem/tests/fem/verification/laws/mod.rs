@@ -2,12 +2,13 @@
 //! claims, and gives no work away; the same in every kind of number and of packs. A law that is added to the table is
 //! tested here with no other line.
 
+mod energies;
 mod gent;
 
 use crate::support::Random;
 use clubface_fem::material::{
     Deformation, Entry, LAWS, Law, Material, MaterialPoint, Maxwell, MooneyRivlin, NeoHookean, Number,
-    Points, Symmetric, Update, from_table, law_from_name, times,
+    Points, Symmetric, Update, from_table, law_from_name, map_law, times,
 };
 use clubface_fem::materials;
 use clubface_math::{Dual, Mat3, Pack, PackKernel, Scalar, Vec3};
@@ -53,6 +54,7 @@ fn elastic<R: Number>() -> Vec<(String, Material<R>)> {
     all.push(("Ogden, one term".into(), material(named("ogden", &[-4e6, -5.0]))));
     all.push(("Ogden, two terms".into(), material(named("ogden", &[4e6, 3.5, -3e6, -2.0]))));
     all.push(("von Mises".into(), material(named("von-mises", &[10e6, 1e150, 0.0, 0.0]))));
+    all.extend(energies::examples());
     all
 }
 
@@ -129,8 +131,7 @@ fn derivatives_of_stress_are_its_differences() {
 
 /// The same material in plain numbers.
 fn material_of(derived: &Material<Derived>) -> Material<f64> {
-    let constants: Vec<f64> = derived.law.constants().iter().map(|value| value.value).collect();
-    material(named(derived.law.description().name, &constants))
+    material(map_law(&*derived.law, &mut |_, value| value.value))
 }
 
 #[test]
@@ -282,7 +283,7 @@ fn lanes_are_numbers_on_their_own() {
 
 #[test]
 fn nothing_acts_at_rest() {
-    for (name, material) in examples::<f64>() {
+    for (name, material) in examples::<f64>().into_iter().chain(energies::examples()) {
         let mut point = MaterialPoint::new(&material);
         let unit = Mat3::diagonal(1.0);
         let energy = point.energy(&unit);
@@ -310,7 +311,7 @@ fn a_closed_path_gives_no_work() {
         }
         f
     };
-    for (name, elastic) in examples::<f64>() {
+    for (name, elastic) in examples::<f64>().into_iter().chain(energies::examples()) {
         let inelastic = !elastic.law.description().state.is_empty();
         let terms = [Maxwell { modulus: 0.6, time: 1e-4 }, Maxwell { modulus: 1.5, time: 7e-4 }];
         // Branches stand over elastic laws alone.
