@@ -1,5 +1,6 @@
 """Studies at any scale: inputs swept over a computation, in chunks that any number of processes and machines share."""
 
+from clubface.studies.histories import histories
 from clubface.studies.joining import Joined, join
 from clubface.studies.running import Outcome, Status, run, status
 from clubface.studies.study import StudyFile, read_study
@@ -13,6 +14,7 @@ __all__ = [
     "Status",
     "StudyFile",
     "Summary",
+    "histories",
     "join",
     "read_study",
     "run",

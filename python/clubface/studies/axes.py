@@ -245,7 +245,9 @@ def inputs_named(table: Mapping[str, Any], known: Container[str]) -> Iterator[tu
     def walk(parts: tuple[str, ...], given: Any) -> Iterator[tuple[str, str, Any]]:
         names = ["_".join(parts[place:]) for place in range(len(parts))]
         name = next((each for each in names if each in known), names[-1])
-        if name not in known and isinstance(given, Mapping) and not given.keys() <= set(FORM):
+        table = isinstance(given, Mapping) and not given.keys() <= set(FORM)
+        # "ball" is an input, but also the group of "ball_cube".
+        if table and (name not in known or any(f"{name}_{each}" in known for each in given)):
             for each, inner in given.items():
                 yield from walk((*parts, each), inner)
         else:

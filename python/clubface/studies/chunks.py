@@ -49,6 +49,9 @@ class Chunks:
         inputs = {name: self._input(name, each) for name, each in self._study.design.values(tasks).items()}
         notes = {"failed": [len(computed.failed), *computed.failed[:1]], "outside": computed.outside}
         try:
+            # First the histories: a part that is there has them.
+            for name, columns in computed.histories.items():
+                self._store.write_history(name, chunk, columns)
             self._store.write(chunk, {**inputs, **computed.columns}, {**notes, **self._task.depends_on})
         except FileError:
             # Another run may have finished the study meanwhile, and removed what it took for remains.
@@ -59,6 +62,8 @@ class Chunks:
 
     def _kept(self, chunk: int) -> dict[str, Any]:
         _, metadata = self._store.read(chunk)
+        for name in self._store.histories:
+            self._store.read_history(name, chunk)
         return {"done": KEPT, **{name: metadata[name] for name in NOTES}}
 
     def _input(self, name: str, values: NDArray[Any]) -> NDArray[Any] | Names:

@@ -211,6 +211,7 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
         "chunk": chunk_size(study, task),
         "axes": axes,
         "columns": {name: list(each) for name, each in task.columns.items()},
+        **({"histories": _histories(task)} if task.histories else {}),
         "provenance": {
             "name": study.name,
             "clubface_version": __version__,
@@ -222,6 +223,11 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
             "files": study.files(),
         },
     }
+
+
+def _histories(task: Task) -> dict[str, Any]:
+    """Return the histories that a study keeps, as its record has them."""
+    return {name: {each: list(of) for each, of in columns.items()} for name, columns in task.histories.items()}
 
 
 def _repeated(table: Mapping[str, Any]) -> Any:

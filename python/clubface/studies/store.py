@@ -23,13 +23,14 @@ from numpy.typing import NDArray
 from clubface.errors import FileError
 from clubface.jobs.store import prepare_parent, read_record, write_record
 from clubface.shots.tables.parquet import pyarrow_for
+from clubface.studies.kinds.kind import TASK
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.files import InputFile, count_as_read, prepared_folder, whole_file
 from clubface.support.fingerprint import check_same, fingerprint, fingerprints, first_difference
 
 __all__ = ["Names", "ParquetFormat", "StudyStore", "Values", "begin", "open_folder", "open_store", "store_folder"]
 
-RECORD, PARTS, INPUTS, SUFFIX = "record.json", "parts", "inputs", ".parquet"
+RECORD, PARTS, INPUTS, HISTORIES, SUFFIX = "record.json", "parts", "inputs", "histories", ".parquet"
 PARTS_PER_FOLDER = 1000
 """File systems slow down with very many files in a folder."""
 METADATA, CHECKSUM = b"clubface", b"clubface-sum"
@@ -37,6 +38,7 @@ HOLE = b"the sum of the file as it is with this text in the place of it".ljust(6
 DAMAGED_RECORD = (
     "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
 )
+FOREIGN = "this part belongs to another study"
 REMEDY = "give another folder with --store, or remove this one"
 
 
@@ -73,7 +75,7 @@ class StudyStore:
         The folder.
     record
         ``content`` (the fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
-        ``axes``, ``columns``, and ``provenance``, which every part repeats.
+        ``axes``, ``columns``, ``histories`` where there are any, and ``provenance``, which every part repeats.
     """
 
     folder: Path
@@ -110,17 +112,33 @@ class StudyStore:
         size = self.record["chunk"]
         return range(chunk * size, min((chunk + 1) * size, self.count))
 
-    def path(self, chunk: int) -> Path:
-        """Return the file of a chunk."""
-        return self.folder / PARTS / f"{chunk // PARTS_PER_FOLDER:04d}" / f"{chunk:08d}{SUFFIX}"
+    @property
+    def histories(self) -> dict[str, dict[str, str]]:
+        """The SI units of the columns of each history that is kept, the index of the task among them."""
+        kept = self.record.get("histories", {})
+        return {name: {TASK: "1", **{each: of[0] for each, of in columns.items()}} for name, columns in kept.items()}
+
+    def path(self, chunk: int, folder: str = PARTS) -> Path:
+        """Return the file of a chunk: its part, or what another folder has of it."""
+        return self.folder / folder / f"{chunk // PARTS_PER_FOLDER:04d}" / f"{chunk:08d}{SUFFIX}"
 
     def write(self, chunk: int, columns: Values, notes: Mapping[str, Any]) -> None:
         """Write the part of a chunk: its columns, and notes of what JSON has."""
+        metadata = {**self._identity(chunk), **notes, **self.record["provenance"]}
+        self._write(self.path(chunk), self.columns, columns, metadata)
+
+    def write_history(self, name: str, chunk: int, columns: Values) -> None:
+        """Write a history of a chunk."""
+        path, metadata = self.path(chunk, f"{HISTORIES}/{name}"), {**self._identity(chunk), **self.record["provenance"]}
+        self._write(path, self.histories[name], columns, metadata)
+
+    def _identity(self, chunk: int) -> dict[str, Any]:
         tasks = self.tasks(chunk)
-        metadata = {"study": self.identity, "first": tasks.start, "tasks": len(tasks)}
-        metadata |= {**notes, **self.record["provenance"]}
-        form = ParquetFormat(self.columns, {METADATA: json.dumps(metadata).encode(), CHECKSUM: HOLE})
-        with whole_file(prepare_parent(self.path(chunk))) as file:
+        return {"study": self.identity, "first": tasks.start, "tasks": len(tasks)}
+
+    def _write(self, path: Path, units: Mapping[str, str | None], columns: Values, metadata: Mapping[str, Any]) -> None:
+        form = ParquetFormat(units, {METADATA: json.dumps(metadata).encode(), CHECKSUM: HOLE})
+        with whole_file(prepare_parent(path)) as file:
             file.write(form.bytes(columns))
 
     def read(self, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
@@ -133,12 +151,21 @@ class StudyStore:
         FileError
             It is damaged, or the part of another chunk or study.
         """
-        path, tasks = self.path(chunk), self.tasks(chunk)
+        columns, metadata = self._read(chunk, PARTS)
+        if {len(each) for each in columns.values()} != {len(self.tasks(chunk))}:
+            raise FileError(str(self.path(chunk)), None, FOREIGN)
+        return columns, metadata
+
+    def read_history(self, name: str, chunk: int) -> dict[str, NDArray[Any]]:
+        """Return the columns of a history of a chunk; errors are those of :meth:`read`."""
+        columns, _ = self._read(chunk, f"{HISTORIES}/{name}")
+        return {each: column for each, column in columns.items() if not isinstance(column, Names)}
+
+    def _read(self, chunk: int, folder: str) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
+        path, expected = self.path(chunk, folder), self._identity(chunk)
         columns, metadata = _read_parquet(path)
-        expected = (self.identity, tasks.start, len(tasks))
-        lengths = {len(each) for each in columns.values()}
-        if tuple(map(metadata.get, ("study", "first", "tasks"))) != expected or lengths != {len(tasks)}:
-            raise FileError(str(path), None, "this part belongs to another study")
+        if {key: metadata.get(key) for key in expected} != expected:
+            raise FileError(str(path), None, FOREIGN)
         return columns, metadata
 
     def parts(self) -> Iterator[tuple[Values, dict[str, Any]]]:
@@ -164,22 +191,24 @@ class StudyStore:
         return present
 
     def size(self) -> int:
-        """Return the bytes of all parts."""
+        """Return the bytes of all parts and histories."""
         total = 0
-        for each in self._files():
+        for each in self._every_file():
             with suppress(OSError):
                 total += each.stat().st_size
         return total
 
     def _files(self) -> Iterator[os.DirEntry[str]]:
-        with suppress(FileNotFoundError):
-            for folder in sorted(os.scandir(self.folder / PARTS), key=lambda each: each.name):
-                if folder.is_dir(follow_symlinks=False):
-                    yield from os.scandir(folder)
+        yield from _files_in(self.folder / PARTS)
+
+    def _every_file(self) -> Iterator[os.DirEntry[str]]:
+        yield from self._files()
+        for name in self.histories:
+            yield from _files_in(self.folder / HISTORIES / name)
 
     def tidy(self) -> None:
         """Remove what killed runs have left; to be called when all parts are there."""
-        for each in self._files():
+        for each in self._every_file():
             if each.name.startswith("."):
                 with suppress(OSError):
                     os.unlink(each.path)
@@ -219,6 +248,14 @@ class StudyStore:
             return first_difference(self.input(before[key]), contents.get(now[name]))
 
         check_same(self.folder, fingerprints(study.content()), self.record["content"], REMEDY, change)
+
+
+def _files_in(parent: Path) -> Iterator[os.DirEntry[str]]:
+    """Yield the files of the folders in a folder."""
+    with suppress(FileNotFoundError):
+        for folder in sorted(os.scandir(parent), key=lambda each: each.name):
+            if folder.is_dir(follow_symlinks=False):
+                yield from os.scandir(folder)
 
 
 def store_folder(path: Path) -> Path:
@@ -282,7 +319,7 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
     """
     if not (folder / RECORD).exists():
         seen = [each.name for each in folder.iterdir() if each.name[0] != "."] if folder.is_dir() else []
-        if folder.exists() and (not folder.is_dir() or not {*seen} <= {PARTS, INPUTS}):
+        if folder.exists() and (not folder.is_dir() or not {*seen} <= {PARTS, INPUTS, HISTORIES}):
             raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
         content = fingerprints(study.content())
         record = {"content": content, "name": study.name, "count": study.design.count, **describe()}

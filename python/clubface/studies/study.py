@@ -59,7 +59,7 @@ from clubface.studies.designs import (
     design,
     table_columns,
 )
-from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Kind, Task
+from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Histories, Kind, Task, resolved
 from clubface.support.checks import MOST_SEED, check_choice
 from clubface.support.files import InputRecord, absolute
 
@@ -187,11 +187,12 @@ class Loaded:
     """A task whose files are read. See :class:`clubface.studies.kinds.kind.Task`."""
 
     columns: Mapping[str, Column]
+    histories: Histories
     depends_on: Mapping[str, str]
 
     def __init__(self, task: Task, inputs: InputRecord) -> None:
         self.task, self.inputs = task, inputs
-        self.columns, self.depends_on = task.columns, task.depends_on
+        self.columns, self.histories, self.depends_on = task.columns, task.histories, task.depends_on
 
     def run(self, indices: range) -> Computed:
         """Compute consecutive indices from the files as they were read."""
@@ -262,7 +263,8 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
     Record(kinds, ("sweep",)).read(data, place)
     table = data.get(chosen.name, {})
     with Place(document, (chosen.name,)).errors():
-        known = chosen.swept(table, data["sweep"])
+        folder = Path(path).parent
+        known = chosen.swept(_with_paths(table, folder), _with_paths(data["sweep"], folder))
         sweep = _flat(data["sweep"], known)
     try:
         made = _design(document, known, sweep, head)
@@ -275,6 +277,14 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
         seed=head.seed or 0, design=Remembered(made), chunk=head.chunk, seconds=head.seconds or SECONDS,
         document=document, units=head.units, inputs=inputs,
     )  # fmt: skip
+
+
+def _with_paths(table: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """Return a table with the names of files in it, also those in lists, as their paths."""
+    return {
+        key: [resolved(each, folder) for each in value] if isinstance(value, list) else resolved(value, folder)
+        for key, value in table.items()
+    }
 
 
 def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:

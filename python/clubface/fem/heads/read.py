@@ -53,12 +53,12 @@ def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -
 
 def from_toml(path: str | os.PathLike[str]) -> Design:
     """Read the design of a head from a TOML file; a mesh that it names by path is looked for next to it."""
-    return _design(Document.read(path))
+    return design_from_document(Document.read(path))
 
 
 def from_text(text: str) -> Design:
     """Read the same from text; a mesh is looked for in the folder of work."""
-    return _design(Document(text))
+    return design_from_document(Document(text))
 
 
 def club_of(document: Document) -> MeshedClub:
@@ -74,7 +74,7 @@ def club_of(document: Document) -> MeshedClub:
 
 def _mesh_of(document: Document) -> MeshedHead:
     """Mesh the head of a file; errors of the mesh name the file of the head too."""
-    design = _design(document)
+    design = design_from_document(document)
     with Place(document).errors():
         try:
             made = design.mesh()
@@ -90,7 +90,7 @@ def _mesh_of(document: Document) -> MeshedHead:
     return made
 
 
-def _design(document: Document) -> Design:
+def design_from_document(document: Document) -> Design:
     """Return the design that a document describes."""
     place = Place(document)
     place.check_keys(document.data, document.data, ("kind",))

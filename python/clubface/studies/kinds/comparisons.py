@@ -15,7 +15,7 @@ from clubface.simulation.impact import Tally
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
 from clubface.studies.kinds.impacts import IMPACTS as IMPACT, Impacts
-from clubface.studies.kinds.kind import OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
+from clubface.studies.kinds.kind import NO_HISTORIES, OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 
 OTHER = "other"
@@ -63,6 +63,7 @@ class Comparisons:
     """Two shots and their difference. See :class:`clubface.studies.kinds.kind.Task`."""
 
     columns: Mapping[str, Column]
+    histories = NO_HISTORIES
     depends_on: Mapping[str, str]
 
     def __init__(self, study: DescribedStudy) -> None:

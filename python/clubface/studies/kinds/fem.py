@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
+from clubface.equipment.balls import DEFAULT_BALL, FOLDER as BALLS_FOLDER
 from clubface.equipment.clubs import club as club_of
-from clubface.errors import InputError, RunError
+from clubface.errors import InputError, RunError, Wording
 from clubface.fem import head_tests
-from clubface.fem.balls import ball as ball_of
-from clubface.fem.case import HEADS, MESHED, PLANE, Case, case as case_of, delivery_keys
+from clubface.fem.balls import PIECES_FILE, Ball, ball as ball_of, from_document as ball_from_document
+from clubface.fem.case import FOLDER as CASES_FOLDER, HEADS, MESHED, PLANE, Case, delivery_keys
 from clubface.fem.heads import head as head_of
-from clubface.fem.heads.driver import INERTIA, SHAPE, TARGETS, WALLS
-from clubface.fem.heads.iron import GROOVES, SHAPE as IRON_SHAPE
 from clubface.fem.heads.meshed import MeshedHead
-from clubface.fem.heads.read import FOLDER, from_toml
+from clubface.fem.heads.read import FOLDER, OTHERS, design_from_document
 from clubface.fem.heads.user_mesh import MeshHead
+from clubface.fem.result import Impact
 from clubface.fem.stress import BLOW, peak_stress
-from clubface.schema import PhysicalValue
+from clubface.schema import Choice, Document, Items, PhysicalValue, Table
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
-from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Kind, OneByOne, resolved
-from clubface.support.files import input_file, path_of
+from clubface.studies.kinds.file_keys import VariedFile, short_names, swept_keys
+from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Histories, Kind, OneByOne, resolved
+from clubface.support.files import input_file, path_of, resolve_name
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
 """Units of the numbers among the settings."""
@@ -46,6 +48,28 @@ THROWN = {
     "tangential_velocity": Column("m/s", "velocity along the plane"),
     "backspin": Column("rad/s", "spin about the toe direction"),
 }
+AXES = ("normal", "up", "toe")
+TIME = {"time": Column("s", "since first touch")}
+HISTORIES: Histories = {
+    "contact": {
+        **TIME, "normal": Column("N", "force on the ball along the normal of the face"),
+        "tangential": Column("N", "force along the face; making backspin is positive"),
+        "toe": Column("N", "force towards the toe"), "area": Column("m2", "area of contact"),
+    },
+    "motion": {
+        **TIME, "radius": Column("m", "distance from the mass centre of the ball to the face"),
+        **{f"velocity_{axis}": Column("m/s", f"velocity of the ball, {axis}") for axis in AXES},
+        **{f"spin_{axis}": Column("rad/s", f"angular velocity of the ball, {axis}") for axis in AXES},
+    },
+    "energy": {
+        **TIME,
+        **{name: Column("J", f"{name} energy") for name in ("kinetic", "contact", "strain", "hourglass")},
+        **{name: Column("J", f"energy lost by {name}") for name in ("friction", "damping")},
+        "viscous": Column("J", "energy that viscoelastic branches took"),
+        "plastic": Column("J", "energy that became heat in metal that yields"),
+    },
+}  # fmt: skip
+"""What a study of cases may keep of every run over time."""
 NAMED = ("ball", "club")
 USUAL_OF_CASES = (
     "ball_speed", "launch", "backspin", "sidespin", "normal_velocity", "tangential_velocity", "peak_force",
@@ -53,32 +77,160 @@ USUAL_OF_CASES = (
 )  # fmt: skip
 
 
-def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+def _swept_of_runs() -> dict[str, Swept]:
+    """Return what may be swept of every case: its delivery, friction, settings, and ball and club by name."""
     keys = dict.fromkeys(key for head in HEADS for key in delivery_keys(head))
     delivered = {name: Swept(inputs()[name].unit if name in inputs() else "rad") for name in keys}
     own = {"friction": Swept("1"), **{name: Swept(unit) for name, unit in SETTINGS.items()}}
     return {**delivered, **own, **{name: Swept(None) for name in NAMED}}
 
 
+def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    known = _swept_of_runs()
+    if not isinstance(table.get("case"), str | Path):
+        return known
+    files = CaseFiles.read(table["case"])
+    balls, heads = (sweep[name] if isinstance(sweep.get(name), list) else [None] for name in NAMED)
+    return _with_files(known, [*map(files.ball, balls), *map(files.head, heads)])
+
+
+def _with_files(known: Mapping[str, Swept], files: Iterable[VariedFile | None]) -> dict[str, Swept]:
+    """Return what may be swept with the keys of files, which also go by shorter names that nothing else has."""
+    own = swept_keys(each for each in files if each is not None)
+    short = {name: own[full] for name, full in short_names(own, {*known, *own}).items()}
+    return {**short, **own, **known}
+
+
+@dataclass(frozen=True)
+class CaseFiles:
+    """The files of a case: what it names as its ball, and the design of its head where it is a meshed one."""
+
+    document: Document
+    case: Case
+
+    @classmethod
+    def read(cls, source: Any) -> CaseFiles:
+        """Return the files of a case by its name or path."""
+        path = path_of("case of finite elements", source, CASES_FOLDER)
+        return cls(Document.read(path), Case.from_toml(path))
+
+    def ball(self, name: Any = None) -> VariedFile:
+        """Return the file of the ball, or of another one by its name or path."""
+        return _ball_file(self._resolved(self.document.data["ball"]) if name is None else name)
+
+    def head(self, name: Any = None) -> VariedFile | None:
+        """Return the file of the meshed head, or of another one; None for a plane and for a club."""
+        head = self.document.data["head"]
+        named = head.get("club") if head.get("kind") == MESHED else head.get("meshed")
+        if named is None:
+            return None
+        return _head_file(self._resolved(named) if name is None else name)
+
+    def _resolved(self, name: Any) -> Any:
+        return resolve_name(name, Path(self.document.path).parent)
+
+
+def _ball_file(name: Any) -> VariedFile:
+    return VariedFile(
+        Document.read(path_of("ball", DEFAULT_BALL if name is None else name, BALLS_FOLDER)), PIECES_FILE, "ball"
+    )
+
+
+def _head_file(name: Any) -> VariedFile:
+    document = Document.read(path_of("head of finite elements", name, FOLDER))
+    return VariedFile(document, Table(type(design_from_document(document)), OTHERS), "head")
+
+
+class Variation:
+    """What a task changes in files: values by name, with shorter names made whole.
+
+    Parameters
+    ----------
+    study
+        The study.
+    files
+        The files that it may vary.
+    known
+        Names of other inputs.
+    """
+
+    def __init__(self, study: DescribedStudy, files: Iterable[VariedFile], known: Collection[str]) -> None:
+        keys = {name for each in files for name in each.keys}
+        full = {name: name for name in keys} | short_names(keys, {*known, *keys})
+        self.names = {each.name: full[each.name] for each in study.design.axes if each.name in {*full} - {*known}}
+        twice = [name for name in self.names if name != self.names[name] and self.names[name] in self.names]
+        if twice:
+            raise InputError(twice[0], Wording(f"swept twice, also as {self.names[twice[0]]}"), "one line of [sweep]")
+
+    def of(
+        self, file: VariedFile, task: Mapping[str, Any], others: Iterable[VariedFile]
+    ) -> tuple[tuple[str, Any], ...]:
+        """Return what a task changes in a file: all but what belongs to the ``others`` alone."""
+        elsewhere = {name for each in others for name in each.keys} - {*file.keys}
+        changes = ((full, task[name]) for name, full in self.names.items() if name in task)
+        return tuple((full, value) for full, value in changes if full not in elsewhere)
+
+
 def _case_task(study: DescribedStudy) -> OneByOne:
     if "case" not in study.table:
         raise InputError("case", None, 'a case of finite elements, as in case = "paper"')
-    base = case_of(resolved(study.table["case"], study.folder))
+    files = CaseFiles.read(resolved(study.table["case"], study.folder))
+    base = files.case
     launched = {name: Column(each.unit, each.meaning) for name, each in outputs().items()}
     every = {**(THROWN if base.head == PLANE else launched), **CONTACT}
 
     swept = {each.name for each in study.design.axes}
     readers: dict[str, Callable[[Any], Any]] = {"ball": ball_of, "club": head_of if base.head == MESHED else club_of}
     parts = {name: study.load(name, read) for name, read in readers.items() if name in swept}
+    balls = study.load("ball", _ball_file) if "ball" in swept else {None: files.ball()}
+    heads: dict[Any, VariedFile | None] = {None: files.head()}
+    if "club" in swept and heads[None] is not None:
+        heads = dict(study.load("club", _head_file))
+    head_files = [each for each in heads.values() if each is not None]
+    variation = Variation(study, [*balls.values(), *head_files], _swept_of_runs())
+
+    @lru_cache(maxsize=1)
+    def ball(name: Any, changes: tuple[tuple[str, Any], ...]) -> Ball:
+        return ball_from_document(balls[name].with_values(dict(changes)))
+
+    @lru_cache(maxsize=1)
+    def head(name: Any, changes: tuple[tuple[str, Any], ...]) -> Any:
+        file = heads[name]
+        assert file is not None
+        made = design_from_document(file.with_values(dict(changes))).mesh()
+        return made if base.head == MESHED else made.club
 
     def compute(task: Mapping[str, Any]) -> dict[str, Any]:
-        impact = _varied(base, {**task, **{name: each[task[name]] for name, each in parts.items()}}).run()
+        changed = {name: each for name, each in task.items() if name not in variation.names}
+        changed |= {name: each[task[name]] for name, each in parts.items()}
+        named_ball, named_head = (task.get(name) for name in NAMED)
+        of_ball = variation.of(balls[named_ball], task, head_files)
+        if of_ball:
+            changed["ball"] = ball(named_ball, of_ball)
+        file = heads.get(named_head)
+        of_head = () if file is None else variation.of(file, task, balls.values())
+        if of_head:
+            changed["club"] = head(named_head, of_head)
+        impact = _varied(base, changed).run()
         if impact.stopped:
             raise RunError(impact.stopped)
-        return {**{name: getattr(impact, name) for name in CONTACT}, **impact.outcome()}
+        figures = {**{name: getattr(impact, name) for name in CONTACT}, **impact.outcome()}
+        return {**figures, **{name: _history(impact, name) for name in kept}}
 
+    kept = {name: HISTORIES[name] for name in study.table.get("histories", ())}
     columns = study.columns(every, tuple(name for name in USUAL_OF_CASES if name in every))
-    return OneByOne(study, columns, compute, elements=True)
+    return OneByOne(study, columns, compute, elements=True, histories=kept)
+
+
+def _history(impact: Impact, name: str) -> dict[str, Any]:
+    """Return a history of a run, vectors as three columns each."""
+    columns: dict[str, Any] = {}
+    for known, values in getattr(impact, name).items():
+        along = (
+            {known: values} if values.ndim == 1 else {f"{known}_{axis}": values[:, i] for i, axis in enumerate(AXES)}
+        )
+        columns |= along
+    return columns
 
 
 def _varied(base: Case, task: Mapping[str, Any]) -> Case:
@@ -88,12 +240,12 @@ def _varied(base: Case, task: Mapping[str, Any]) -> Case:
     return base.replace(settings=settings, **changes)
 
 
-CASES = Kind(name="fem", keys={"case": ONE_NAME, "outputs": OUTPUTS}, swept=_swept_cases, task=_case_task)
+CASE_KEYS = {"case": ONE_NAME, "outputs": OUTPUTS, "histories": Items(Choice(HISTORIES), 1, len(HISTORIES))}
+CASES = Kind(name="fem", keys=CASE_KEYS, swept=_swept_cases, task=_case_task)
 
 
 PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}
 """Units of where a head is struck, of the speeds of ball, striker and blow, and of what else the tests take."""
-METAL = {"youngs": "Pa", "poisson": "1", "density": "kg/m3", "yield_stress": "Pa"}
 COLUMNS = {
     "restitution": Column("1", "coefficient of restitution of ball and free head"),
     "characteristic_time": Column("s", "time in which the face throws back a small steel sphere"),
@@ -108,49 +260,45 @@ COLUMNS = {
     "izz": Column("kg m2", "the same, axis from heel to toe"),
 }
 USUAL_OF_HEADS = ("restitution", "characteristic_time")
-TABLES = ("shape", "thickness", "target", "grooves")
-
-
-def _design_units() -> dict[str, str]:
-    """Return the SI unit of every number of a parametric design, by table and name."""
-    other = {
-        "shape_loft": "rad",
-        "shape_rim": "1",
-        "target_mass": "kg",
-        **{f"target_{name}": "kg m2" for name in INERTIA},
-    }
-    tables = {"shape": (*SHAPE, *IRON_SHAPE), "thickness": WALLS, "target": TARGETS, "grooves": GROOVES}
-    units = {f"{table}_{name}": "m" for table, names in tables.items() for name in names}
-    return {**units, **other, **{f"metal_{name}": unit for name, unit in METAL.items()}}
 
 
 def _swept_heads(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    numbers = {name: Swept(unit) for name, unit in {**PLACE, **_design_units()}.items()}
-    return {**numbers, "head": Swept(None), "ball": Swept(None)}
+    known = {**{name: Swept(unit) for name, unit in PLACE.items()}, "head": Swept(None), "ball": Swept(None)}
+    heads, balls = (
+        sweep[name] if isinstance(sweep.get(name), list) else [table.get(name)] for name in ("head", "ball")
+    )
+    return _with_files(known, [*(_head_file(each) for each in heads if each is not None), *map(_ball_file, balls)])
 
 
 def _head_task(study: DescribedStudy) -> OneByOne:
-    table, designed = study.table, _design_units()
+    table = study.table
     swept = {each.name for each in study.design.axes}
     if "head" not in {*swept, *table}:
         raise InputError("head", None, 'give it, as in head = "paper"')
-    designs = study.load("head", lambda each: from_toml(path_of("head", each, FOLDER)))
-    for each in designs.values():
-        if isinstance(each, MeshHead):
-            input_file(each.file)
-    balls = study.load("ball", ball_of)
+    head_files = study.load("head", _head_file)
+    for each in head_files.values():
+        design = design_from_document(each.document)
+        if isinstance(design, MeshHead):
+            input_file(design.file)
+    ball_files = study.load("ball", _ball_file)
     held = {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
     columns = study.columns(COLUMNS, USUAL_OF_HEADS)
+    variation = Variation(study, [*head_files.values(), *ball_files.values()], (*PLACE, "head", "ball"))
 
     @lru_cache(maxsize=1)
-    def meshed(name: str, changes: tuple[tuple[str, float], ...]) -> MeshedHead:
-        return _changed(designs[name], changes).mesh()
+    def meshed(name: str, changes: tuple[tuple[str, Any], ...]) -> MeshedHead:
+        return design_from_document(head_files[name].with_values(dict(changes))).mesh()
+
+    @lru_cache(maxsize=1)
+    def made_ball(name: str | None, changes: tuple[tuple[str, Any], ...]) -> Ball:
+        return ball_from_document(ball_files[name].with_values(dict(changes)))
 
     def compute(task: Mapping[str, Any]) -> dict[str, Any]:
-        how = {**held, **task}
-        changes = tuple((name, each) for name, each in task.items() if name in designed)
-        made = meshed(task.get("head", table.get("head")), changes)
-        ball = balls[task.get("ball", table.get("ball"))]
+        how = {**held, **{name: each for name, each in task.items() if name not in variation.names}}
+        named_head, named_ball = (task.get(name, table.get(name)) for name in ("head", "ball"))
+        head_file, ball_file = head_files[named_head], ball_files[named_ball]
+        made = meshed(named_head, variation.of(head_file, task, ball_files.values()))
+        ball = made_ball(named_ball, variation.of(ball_file, task, head_files.values()))
         place = {name: how[name] for name in ("toe", "high") if name in how}
         given = {name: how[name] for name in ("friction", "safety") if name in how}
         safety = {name: given[name] for name in ("safety",) if name in given}
@@ -173,20 +321,6 @@ def _head_task(study: DescribedStudy) -> OneByOne:
         }  # fmt: skip
 
     return OneByOne(study, columns, compute, elements=True)
-
-
-def _changed(design: Any, changes: tuple[tuple[str, float], ...]) -> Any:
-    """Return a design with some of its numbers changed, each by table and name."""
-    for path, value in changes:
-        table, _, name = path.partition("_")
-        held = getattr(design, table, None)
-        if table == "metal" and held is not None:
-            design = replace(design, metal=replace(held, **{name: value}))
-        elif isinstance(held, Mapping) and (name in held or table == "target"):
-            design = replace(design, **{table: {**held, name: value}})
-        else:
-            raise InputError(path, value, f"left out: the design of {design.name} has no {name} under {table}")
-    return design
 
 
 HEAD_KEYS = {

@@ -16,7 +16,7 @@ from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
 from clubface.studies.axes import Swept
-from clubface.studies.kinds.kind import OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
+from clubface.studies.kinds.kind import NO_HISTORIES, OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
 from clubface.support.checks import without_warnings
 
@@ -28,6 +28,7 @@ class Impacts:
     """Launches and flights of a study. See :class:`clubface.studies.kinds.kind.Task`."""
 
     columns: Mapping[str, Column]
+    histories = NO_HISTORIES
     depends_on: Mapping[str, str]
 
     def __init__(self, study: DescribedStudy) -> None:
@@ -133,6 +134,7 @@ class Empty:
     """
 
     columns: Mapping[str, Column]
+    histories = NO_HISTORIES
     depends_on: Mapping[str, str]
 
     def __init__(self, study: DescribedStudy, seconds: float) -> None:

@@ -25,6 +25,8 @@ from clubface.support.files import is_path
 from clubface.support.processes import vector_units
 
 T = TypeVar("T")
+TASK = "task"
+"""The column of a history that holds the index of the task."""
 
 
 class Column(NamedTuple):
@@ -32,6 +34,11 @@ class Column(NamedTuple):
 
     unit: str
     meaning: str
+
+
+Histories = Mapping[str, Mapping[str, Column]]
+"""Histories by name, with their columns."""
+NO_HISTORIES: Histories = {}
 
 
 class Computed(NamedTuple):
@@ -45,17 +52,22 @@ class Computed(NamedTuple):
         The indices without a result, and why; rising.
     outside
         The shots outside the range of their model, as :meth:`clubface.simulation.impact.Tally.counts` tells them.
+    histories
+        The histories that the study keeps, by name: columns [SI] of equal length, the index of the task, ``task``,
+        among them; tasks without a result have none.
     """
 
     columns: Mapping[str, NDArray[Any]]
     failed: Sequence[tuple[int, str]] = ()
     outside: Sequence[Any] = ({}, [])
+    histories: Mapping[str, Mapping[str, NDArray[Any]]] = {}
 
 
 class Task(Protocol):
-    """What is computed: its columns, and what besides study and version may change bits of them, as the processor."""
+    """What is computed: its columns and histories, and what besides study and version may change bits of them."""
 
     columns: Mapping[str, Column]
+    histories: Histories
     depends_on: Mapping[str, str]
 
     def run(self, indices: range) -> Computed:
@@ -103,7 +115,7 @@ class Kind:
     keys
         The kinds of value under the keys of that table, which stays as it is in the file.
     swept
-        From the kind's table and [sweep], as the file has them, to the inputs that may be swept.
+        From the kind's table, its names of files as paths, and [sweep], to the inputs that may be swept.
     task
         From a study to its task; what is wrong with the study is an error here, before any work. It reads all files
         that the tasks need, since none is read later.
@@ -146,25 +158,29 @@ class OneByOne:
         What is kept of a task.
     compute
         From what is swept, numbers [SI] and names, to all figures [SI] by name, or to what computes each of them; what
-        has none is an error.
+        has none is an error. Under the name of a history it has the arrays of its columns.
     elements
         Whether finite elements compute it, whose last digits depend on the processor.
+    histories
+        The histories that are kept.
     """
 
     columns: Mapping[str, Column]
+    histories: Histories
     depends_on: Mapping[str, str]
 
     def __init__(
         self,
         study: DescribedStudy,
         columns: Mapping[str, Column],
-        compute: Callable[[Mapping[str, Any]], Mapping[str, float | Callable[[], float]]],
+        compute: Callable[[Mapping[str, Any]], Mapping[str, Any]],
         *,
         elements: bool = False,
+        histories: Histories | None = None,
     ) -> None:
         self._design, self._compute = study.design, compute
         self._choices = {each.name: each.choices for each in study.design.axes if each.choices}
-        self.columns = columns
+        self.columns, self.histories = columns, histories or NO_HISTORIES
         self.depends_on = {"processor": vector_units()} if elements else {}
 
     def run(self, indices: range) -> Computed:
@@ -172,6 +188,9 @@ class OneByOne:
         values = {name: each.tolist() for name, each in self._design.values(indices).items()}
         columns = {name: np.full(len(indices), math.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []
+        kept: dict[str, dict[str, list[NDArray[Any]]]] = {
+            name: {each: [np.empty(0)] for each in (TASK, *history)} for name, history in self.histories.items()
+        }
         for place, index in enumerate(indices):
             task = {name: self._choices[name][each[place]] if name in self._choices else float(each[place])
                     for name, each in values.items()}  # fmt: skip
@@ -185,4 +204,12 @@ class OneByOne:
                 continue
             for name, each in row.items():
                 columns[name][place] = each
-        return Computed(columns, failed)
+            for name, history in kept.items():
+                series = figures[name]
+                history[TASK].append(np.full(len(next(iter(series.values()))), float(index)))
+                for column in self.histories[name]:
+                    history[column].append(series[column])
+        joined = {
+            name: {each: np.concatenate(arrays) for each, arrays in history.items()} for name, history in kept.items()
+        }
+        return Computed(columns, failed, histories=joined)
