@@ -40,6 +40,8 @@ NO_INPUTS = {
     "shots/live.py": "live shots, which it writes itself",
     "studio/site.py": "the page of the studio",
     "cli/studio.py": "the browser",
+    "export/casadi.py": "pieces of source, which come with the package",
+    "export/fmu.py": "the library for units, which comes with the package",
 }
 """The modules that open something which is no input of a computation, and what."""
 
