@@ -1,6 +1,7 @@
 """``clubface capture`` on the command line."""
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -66,10 +67,11 @@ def test_json_holds_covariance_frames_and_estimator(clubface_, folder):
     assert rows_of(linear, "deliveries")[1]["speed_mps"] > deviations["speed_mps"]
 
 
-def test_many_swings_make_a_table_and_files(clubface_, folder):
+def test_many_swings_make_a_table_and_files(clubface_, folder, monkeypatch):
     names = [f"swing-00{number}.c3d" for number in (1, 2, 3)]
     (folder / "swing-002.c3d").write_bytes(b"")
-    ran = clubface_(*arguments(folder, *names), "-o", str(folder / "shots.csv"))
+    monkeypatch.chdir(folder)  # a long path would be wrapped in the table
+    ran = clubface_(*arguments(Path(), *names), "-o", str(folder / "shots.csv"))
     assert ran.status == 0
     assert names[0] in ran.out
     assert names[2] in ran.out
