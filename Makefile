@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -35,7 +35,7 @@ STUDIO_CHECKED := $(if $(filter true,$(NODE)),$(STUDIO_PACKAGES) $(STUDIO_DATA))
 STUDIO_TESTED := $(if $(STUDIO_CHECKED),$(STUDIO_CHECKED) $(wildcard $(STUDIO_CORE)))
 
 help: ## list the targets
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-32s %s\n' "$$name" "$$text"; done
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '%-32s %s\n' "$$name" "$$text"; done
 
 setup: $(VENV)/.setup ## make the virtual environment; say which tools are missing
 build: $(VENV)/.build ## compile the core and install the package into the virtual environment
@@ -77,6 +77,9 @@ demo: build ## the published tour averages by every model; tables and pictures i
 
 test: dev $(STUDIO_TESTED) ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py
+
+test-aarch64: ## packs, batches and flights as 64-bit Arm computes them, by qemu on other machines; minutes
+	scripts/test-aarch64.sh
 
 check: dev $(STUDIO_CHECKED) ## formatting, lints, types, documentation
 	cargo fmt --all --check

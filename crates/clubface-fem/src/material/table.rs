@@ -6,7 +6,7 @@ use super::family::{DERIVATIVES, Entry, Family, Law, Origin};
 use super::stage::{Slot, Stage, StressStage};
 use super::viscous::Branches;
 use crate::error::FemError;
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+#[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
 use clubface_math::pack::F64x2;
 #[cfg(target_arch = "x86_64")]
 use clubface_math::pack::{F64x4, F64x8};
@@ -195,7 +195,7 @@ number!(
     f64,
     plain,
     f64,
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    #[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
     F64x2,
     #[cfg(target_arch = "x86_64")]
     F64x4,
@@ -206,7 +206,7 @@ number!(
     Dual<f64, DERIVATIVES>,
     derived,
     Dual<f64, DERIVATIVES>,
-    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    #[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
     Dual<F64x2, DERIVATIVES>,
     #[cfg(target_arch = "x86_64")]
     Dual<F64x4, DERIVATIVES>,

@@ -1,11 +1,13 @@
-//! The widest packs that the CPU has, chosen at run time; in WebAssembly, when compiled.
+//! The widest packs that the CPU has, chosen at run time; in WebAssembly and on 64-bit Arm, when compiled.
 //!
 //! [`dispatch`] enters a [`Kernel`] with the widest type there is. Everything below must be `#[inline(always)]`: CPU
 //! features hold for the function that enables them and for what is inlined into it, not for what it calls.
 
 use super::traits::{Kernel, Lanes, PackKernel, Real, RowsKernel};
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-use super::wasm::F64x2;
+#[cfg(target_arch = "aarch64")]
+use super::twin::Twin;
+#[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
+use super::two::F64x2;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
 use core::cell::Cell;
@@ -28,7 +30,7 @@ pub fn with_lanes<T>(lanes: usize, computation: impl FnOnce() -> T) -> T {
 /// Whether packs have one width, chosen when compiled, so that rows alone need no code of their own.
 pub const ONE_WIDTH: bool = cfg!(all(target_arch = "wasm32", target_feature = "simd128"));
 
-/// Runs a kernel with eight lanes (AVX-512), four (AVX2), two (WebAssembly's simd128) or one.
+/// Runs a kernel with eight lanes (AVX-512), four (AVX2), two (NEON, WebAssembly's simd128) or one.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if WIDEST.get() >= 8 && x86::has_eight() {
@@ -40,6 +42,10 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
         // SAFETY: the features the function enables were found on this CPU.
         return unsafe { x86::run_four(kernel) };
     }
+    #[cfg(target_arch = "aarch64")]
+    if WIDEST.get() >= 2 {
+        return kernel.run::<F64x2>();
+    }
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
     return kernel.run::<F64x2>();
     #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
@@ -47,8 +53,8 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// Runs a kernel for `rows` rows with two packs at a time: of eight lanes, or of four where there are no more rows than
-/// these have; one pack in WebAssembly; else a row alone, since a pack costs more than one row.
-#[cfg_attr(not(target_arch = "x86_64"), allow(unused_variables))]
+/// these have; of two on 64-bit Arm; one pack in WebAssembly; else a row alone, since a pack costs more than one row.
+#[cfg_attr(target_arch = "wasm32", allow(unused_variables))]
 pub fn dispatch_rows<K: RowsKernel>(rows: usize, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if rows > 8 && WIDEST.get() >= 16 && x86::has_eight() {
@@ -59,6 +65,10 @@ pub fn dispatch_rows<K: RowsKernel>(rows: usize, kernel: K) -> K::Output {
     if rows > 1 && WIDEST.get() >= 8 && x86::has_four() {
         // SAFETY: the features the function enables were found on this CPU.
         return unsafe { x86::run_rows_by_four(kernel) };
+    }
+    #[cfg(target_arch = "aarch64")]
+    if rows > 1 && WIDEST.get() >= 4 {
+        return kernel.run::<Twin<F64x2>>();
     }
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
     return kernel.run::<F64x2>();

@@ -13,8 +13,8 @@ mod prefetch;
 mod single;
 mod traits;
 mod twin;
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-mod wasm;
+#[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
+mod two;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -22,7 +22,7 @@ pub use dispatch::{ONE_WIDTH, dispatch, dispatch_rows, with_lanes};
 pub use prefetch::prefetch;
 pub use traits::{Kernel, Lanes, Numbers, Pack, PackKernel, Part, Real, Row, RowsKernel};
 pub use twin::Twin;
-#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-pub use wasm::F64x2;
+#[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
+pub use two::F64x2;
 #[cfg(target_arch = "x86_64")]
 pub use x86::{F64x4, F64x8};

@@ -183,3 +183,33 @@ fn truth_values_are_kept_lane_by_lane() {
     RowsKernel::run::<f64>(Masks);
     every_width(Masks);
 }
+
+/// Lanes of the packs that it runs on.
+#[derive(Clone, Copy)]
+struct Width;
+
+impl Kernel for Width {
+    type Output = usize;
+    fn run<S: Lanes>(self) -> usize {
+        S::LANES
+    }
+}
+
+impl RowsKernel for Width {
+    type Output = usize;
+    fn run<S: Numbers>(self) -> usize {
+        S::LANES
+    }
+}
+
+#[test]
+fn packs_are_as_wide_as_the_processor_and_the_thread_allow() {
+    for most in [1, 2, 4, 8, 16] {
+        let widths = with_lanes(most, || [dispatch(Width), dispatch_rows(most, Width)]);
+        assert!(widths.iter().all(|&lanes| lanes <= most), "{widths:?} lanes, {most} allowed");
+        // Every processor of this kind has registers of two numbers.
+        if cfg!(target_arch = "aarch64") {
+            assert_eq!(widths, [most.min(2), if most < 4 { 1 } else { 4 }], "{most} lanes allowed");
+        }
+    }
+}

@@ -1,4 +1,15 @@
-//! Packs of two numbers (WebAssembly, simd128).
+//! Packs of two numbers: WebAssembly (simd128) and 64-bit Arm (NEON).
+//!
+//! Both have registers of two numbers and instructions for them that do the same by other names: [`register`] has
+//! these, with one set of names, and the packs are written once. Where names do not say it all:
+//!
+//! * `max(a, b)` is `a` where it is larger, else `b`, also for NaN and for zeros of either sign; so is `min`;
+//! * `firsts` and `seconds` are the first lanes of two registers, and their second lanes;
+//! * `second_and_first` is the second lane of one register and the first of another.
+
+#[cfg_attr(target_arch = "aarch64", path = "neon.rs")]
+#[cfg_attr(target_arch = "wasm32", path = "wasm.rs")]
+mod register;
 
 use super::operators::{primal_functions, primal_operators};
 use super::single::{single_four, single_part, single_quad, single_storage};
@@ -6,22 +17,22 @@ use super::traits::{Lanes, Numbers, Pack, Part, Row};
 use crate::Vec3;
 use crate::elementary::Primal;
 use crate::scalar::{Computation, Mask, Scalar, operators};
-use core::arch::wasm32::*;
 use core::ops::Neg;
+use register::{Pair, Truths};
 
 /// Two numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct F64x2(v128);
+pub struct F64x2(Pair);
 
 /// Two truth values: all bits of a lane, or none.
 #[derive(Clone, Copy, Debug)]
-pub struct Mask2(v128);
+pub struct Mask2(Truths);
 
 operators! { [] F64x2;
-    Add add Self => Self, |a, b| Self(f64x2_add(a.0, b.0));
-    Sub sub Self => Self, |a, b| Self(f64x2_sub(a.0, b.0));
-    Mul mul Self => Self, |a, b| Self(f64x2_mul(a.0, b.0));
-    Div div Self => Self, |a, b| Self(f64x2_div(a.0, b.0));
+    Add add Self => Self, |a, b| Self(register::add(a.0, b.0));
+    Sub sub Self => Self, |a, b| Self(register::sub(a.0, b.0));
+    Mul mul Self => Self, |a, b| Self(register::mul(a.0, b.0));
+    Div div Self => Self, |a, b| Self(register::div(a.0, b.0));
 }
 primal_operators!([] F64x2);
 
@@ -29,7 +40,7 @@ impl Neg for F64x2 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(f64x2_neg(self.0))
+        Self(register::neg(self.0))
     }
 }
 
@@ -37,38 +48,38 @@ impl Mask for Mask2 {
     const LANES: usize = 2;
     #[inline(always)]
     fn any(self) -> bool {
-        v128_any_true(self.0)
+        register::any(self.0)
     }
     #[inline(always)]
     fn all(self) -> bool {
-        i64x2_all_true(self.0)
+        register::all(self.0)
     }
     #[inline(always)]
     fn and(self, other: Self) -> Self {
-        Self(v128_and(self.0, other.0))
+        Self(register::and(self.0, other.0))
     }
     #[inline(always)]
     fn or(self, other: Self) -> Self {
-        Self(v128_or(self.0, other.0))
+        Self(register::or(self.0, other.0))
     }
     #[inline(always)]
     fn not(self) -> Self {
-        Self(v128_not(self.0))
+        Self(register::not(self.0))
     }
     #[inline(always)]
     fn splat(value: bool) -> Self {
-        Self(i64x2_splat(-i64::from(value)))
+        Self(register::truths(value))
     }
     #[inline(always)]
     fn lane(self, index: usize) -> bool {
-        (i64x2_bitmask(self.0) >> index) & 1 == 1
+        register::truth(self.0, index)
     }
 }
 
 impl Primal for F64x2 {
     #[inline(always)]
     fn pow2_shifted(shifted: Self) -> Self {
-        Self(i64x2_shl(i64x2_add(shifted.0, i64x2_splat(1023)), 52))
+        Self(register::pow2_shifted(shifted.0))
     }
 }
 
@@ -80,7 +91,7 @@ impl Numbers for F64x2 {
     #[inline(always)]
     fn from_fn(mut value: impl FnMut(usize) -> f64) -> Self {
         let first = value(0);
-        Self(f64x2(first, value(1)))
+        Self(register::pair(first, value(1)))
     }
     #[inline(always)]
     fn from_slice(values: &[f64]) -> Self {
@@ -98,11 +109,11 @@ impl Scalar for F64x2 {
     primal_functions!();
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self(f64x2_splat(value))
+        Self(register::splat(value))
     }
     #[inline(always)]
     fn lane(self, index: usize) -> f64 {
-        if index == 0 { f64x2_extract_lane::<0>(self.0) } else { f64x2_extract_lane::<1>(self.0) }
+        if index == 0 { register::lane::<0>(self.0) } else { register::lane::<1>(self.0) }
     }
     #[inline(never)]
     fn outline<C: Computation>(computation: C) -> C::Output {
@@ -110,33 +121,31 @@ impl Scalar for F64x2 {
     }
     #[inline(always)]
     fn lt(self, other: Self) -> Mask2 {
-        Mask2(f64x2_lt(self.0, other.0))
+        Mask2(register::lt(self.0, other.0))
     }
     #[inline(always)]
     fn le(self, other: Self) -> Mask2 {
-        Mask2(f64x2_le(self.0, other.0))
+        Mask2(register::le(self.0, other.0))
     }
     #[inline(always)]
     fn select(mask: Mask2, a: Self, b: Self) -> Self {
-        Self(v128_bitselect(a.0, b.0, mask.0))
+        Self(register::select(mask.0, a.0, b.0))
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(f64x2_sqrt(self.0))
+        Self(register::sqrt(self.0))
     }
-    // These instructions give their first operand for NaN and for equal zeros, as the comparisons of the trait's own
-    // definitions give the second of theirs.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self(f64x2_pmax(other.0, self.0))
+        Self(register::max(self.0, other.0))
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        Self(f64x2_pmin(other.0, self.0))
+        Self(register::min(self.0, other.0))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(f64x2_abs(self.0))
+        Self(register::abs(self.0))
     }
     #[inline(always)]
     fn ln(self) -> Self {
@@ -149,11 +158,11 @@ impl Scalar for F64x2 {
 /// # Safety
 /// There is such a node.
 #[inline(always)]
-unsafe fn row(rows: &[Row<f64>], index: u32) -> (v128, *const u64) {
+unsafe fn row(rows: &[Row<f64>], index: u32) -> (Pair, *const f64) {
     // SAFETY: the caller's promise; a row is four numbers.
     unsafe {
         let at = rows.as_ptr().add(index as usize).cast::<f64>();
-        (v128_load(at.cast()), at.add(2).cast())
+        (register::load(at), at.add(2))
     }
 }
 
@@ -169,16 +178,16 @@ impl Pack for F64x2 {
     #[inline(always)]
     unsafe fn read(at: *const f64) -> Self {
         // SAFETY: the caller's promise.
-        Self(unsafe { v128_load(at.cast()) })
+        Self(unsafe { register::load(at) })
     }
     #[inline(always)]
     unsafe fn write(self, at: *mut f64) {
         // SAFETY: the caller's promise.
-        unsafe { v128_store(at.cast(), self.0) };
+        unsafe { register::store(at, self.0) };
     }
     #[inline(always)]
     fn after(self, before: Self) -> Self {
-        Self(i64x2_shuffle::<1, 2>(before.0, self.0))
+        Self(register::second_and_first(before.0, self.0))
     }
     #[inline(always)]
     fn real(self, lane: usize) -> f64 {
@@ -191,21 +200,20 @@ impl Pack for F64x2 {
             let (first, z) = row(rows, *index.get_unchecked(0));
             let (second, other_z) = row(rows, *index.get_unchecked(1));
             Vec3 {
-                x: Self(i64x2_shuffle::<0, 2>(first, second)),
-                y: Self(i64x2_shuffle::<1, 3>(first, second)),
-                z: Self(v128_load64_lane::<1>(v128_load64_zero(z), other_z)),
+                x: Self(register::firsts(first, second)),
+                y: Self(register::seconds(first, second)),
+                z: Self(register::load_both(z, other_z)),
             }
         }
     }
     #[inline(always)]
     unsafe fn scatter_add(rows: &mut [Row<f64>], index: &[u32], value: Vec3<Self>) {
-        let level =
-            [i64x2_shuffle::<0, 2>(value.x.0, value.y.0), i64x2_shuffle::<1, 3>(value.x.0, value.y.0)];
+        let level = [register::firsts(value.x.0, value.y.0), register::seconds(value.x.0, value.y.0)];
         for lane in 0..Self::LANES {
             // SAFETY: the caller's promise; a row is four numbers.
             unsafe {
                 let at = rows.as_mut_ptr().add(*index.get_unchecked(lane) as usize).cast::<f64>();
-                v128_store(at.cast(), f64x2_add(v128_load(at.cast()), level[lane]));
+                register::store(at, register::add(register::load(at), level[lane]));
                 *at.add(2) += value.z.lane(lane);
             }
         }
