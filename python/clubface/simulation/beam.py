@@ -18,7 +18,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Beam", "Modes", "added_inertia", "cross_matrix", "modes"]
+__all__ = ["Beam", "Modes", "added_inertia", "beam_axes", "cross_matrix", "head_on_beam", "modes", "natural_modes"]
 
 ELEMENTS = 60
 """Twice as many change what the shaft adds to a head by less than 1e-4 of it."""
@@ -246,11 +246,25 @@ def modes(
     elements
         About how many elements there are.
     """
+    squares, vectors = natural_modes(*head_on_beam(beam, head, tip, axis, elements=elements))
+    return Modes(np.sqrt(np.maximum(squares, 0.0)), vectors[:6])
+
+
+def head_on_beam(
+    beam: Beam,
+    head: NDArray[Any],
+    tip: NDArray[Any],
+    axis: NDArray[Any],
+    *,
+    elements: int = ELEMENTS,
+) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return stiffness and mass of a head on a beam, without what the grip holds; the parameters are those of modes.
+
+    First come velocity of the CG and angular velocity of the head, in its axes, then the nodes from the second one on,
+    in the axes of ``beam_axes``.
+    """
     stiffness, mass = beam.matrices(elements)
-    along = axis / np.linalg.norm(axis)
-    across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
-    across /= np.linalg.norm(across)
-    turn = np.stack([along, across, np.cross(along, across)])
+    turn = beam_axes(axis)
     onto = np.zeros((6, 6))
     onto[:3, :3] = onto[3:, 3:] = turn
     onto[:3, 3:] = -turn @ cross_matrix(tip)
@@ -264,11 +278,23 @@ def modes(
         stiffness[range(butt + 3, butt + 6), range(butt + 3, butt + 6)] += beam.grip_stiffness
     held = {"free": 0, "pinned": 3, "clamped": 6}[beam.grip]
     kept = np.r_[:butt, butt + held : butt + 6]
-    stiffness, mass = stiffness[np.ix_(kept, kept)], mass[np.ix_(kept, kept)]
+    return stiffness[np.ix_(kept, kept)], mass[np.ix_(kept, kept)]
+
+
+def beam_axes(axis: NDArray[Any]) -> NDArray[Any]:
+    """Return the directions of a beam's displacements, along and twice across it, as the rows of a rotation."""
+    along = axis / np.linalg.norm(axis)
+    across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
+    across /= np.linalg.norm(across)
+    return np.stack([along, across, np.cross(along, across)])
+
+
+def natural_modes(stiffness: NDArray[Any], mass: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return squares of the angular frequencies, ascending, and modes of unit modal mass as columns."""
     inverse = np.linalg.inv(np.linalg.cholesky(mass))
     symmetric = inverse @ stiffness @ inverse.T
     squares, vectors = np.linalg.eigh(0.5 * (symmetric + symmetric.T))
-    return Modes(np.sqrt(np.maximum(squares, 0.0)), inverse.T[:6] @ vectors)
+    return squares, inverse.T @ vectors
 
 
 def added_inertia(total: NDArray[Any], head: NDArray[Any]) -> NDArray[Any]:

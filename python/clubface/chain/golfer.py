@@ -1,0 +1,181 @@
+"""Golfers as chains of driven segments: bodies, hinges, and the torque generators that turn them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from clubface import units
+from clubface.errors import InputError, Wording
+
+__all__ = ["Golfer", "Segment"]
+
+BY_JOINT = ("start", "onset", "rise_time", "maximum_torque", "maximum_speed")
+"""The values of a golfer that each joint has its own of."""
+
+# Men, P. de Leva, Journal of Biomechanics 29, 1223-1230, 1996: part of the mass of the body; length of a body 1.741 m
+# tall [m]; CG from the upper end and radii of gyration, across and along, as parts of the length.
+DE_LEVA_HEIGHT = 1.741
+UPPER_ARM = (0.0271, 0.2817, 0.5772, 0.285, 0.158)
+FOREARM = (0.0162, 0.2689, 0.4574, 0.276, 0.121)
+HAND = (0.0061, 0.0862, 0.7900, 0.628, 0.401)
+TRUNK = (0.4346, 0.5319, 0.4486, 0.372, 0.191)
+SHOULDER = 0.129
+"""From the spine to the shoulder, as a part of the height (R. Drillis and R. Contini, 1966)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Segment:
+    """A rigid body and the hinge by which it hangs on the one before, in the reference pose.
+
+    In the reference pose the club stands at its static loft and lie with a square face. Vectors are in the axes of the
+    world (x to the target, y up, z to the right of it) and start in the middle of the hands.
+
+    Attributes
+    ----------
+    name
+        For tables and other programs.
+    joint
+        A point of the axis of the hinge [m], shape (3,).
+    axis
+        Direction of the axis, about which a positive angle swings the club towards the target, shape (3,).
+    mass
+        [kg]; 0 for a joint without a body of its own.
+    cg
+        Of the body [m], shape (3,).
+    inertia
+        About its CG [kg m2], shape (3, 3).
+    """
+
+    name: str
+    joint: Any
+    axis: Any
+    mass: float = 0.0
+    cg: Any = (0.0, 0.0, 0.0)
+    inertia: Any = ((0.0,) * 3,) * 3
+
+    def __post_init__(self) -> None:
+        for name, shape in (("joint", (3,)), ("axis", (3,)), ("cg", (3,)), ("inertia", (3, 3))):
+            array = np.array(getattr(self, name), dtype=np.float64)
+            if array.shape != shape or not np.isfinite(array).all():
+                raise InputError(f"{name} of {self.name}", Wording(f"of shape {array.shape}"), f"numbers, shape {shape}")
+            object.__setattr__(self, name, array)
+        length = float(np.linalg.norm(self.axis))
+        if length == 0.0:
+            raise InputError(f"axis of {self.name}", 0.0, "a direction")
+        object.__setattr__(self, "axis", self.axis / length)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Golfer:
+    """A chain of segments from the ground to the hands, each driven by a torque generator at its hinge.
+
+    Each list has a value for every joint, the first being the one that stands on the ground.
+
+    Attributes
+    ----------
+    segments
+        From the ground to the hands; the last hinge carries the club.
+    start
+        Angles at the top of the backswing, from the reference pose [rad]; a joint cannot go back behind its own.
+    onset
+        When each generator starts to act, since the start from rest [s].
+    rise_time
+        Time constant with which its activation rises [s].
+    maximum_torque
+        Of full activation without motion [N m].
+    maximum_speed
+        Of the joint, at which no torque is left [rad/s].
+    """
+
+    segments: tuple[Segment, ...]
+    start: tuple[float, ...]
+    onset: tuple[float, ...]
+    rise_time: tuple[float, ...]
+    maximum_torque: tuple[float, ...]
+    maximum_speed: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        count = len(self.segments)
+        for name in BY_JOINT:
+            values = tuple(float(each) for each in getattr(self, name))
+            if len(values) != count:
+                raise InputError(name, f"{len(values)} values", f"{count}, one for each of the joints")
+            if name in ("rise_time", "maximum_speed") and min(values) <= 0.0:
+                raise InputError(name, min(values), "more than 0")
+            object.__setattr__(self, name, values)
+
+    def replace(self, **changes: Any) -> Golfer:
+        """Return it with fields changed."""
+        known = [each.name for each in fields(self)]
+        for name in changes:
+            if name not in known:
+                raise InputError("field of a golfer", name, f"one of {', '.join(known)}")
+        return replace(self, **changes)
+
+    @classmethod
+    def three_segments(
+        cls,
+        *,
+        mass: Any = 80.0,
+        height: Any = 1.80,
+        lie: Any = "58 deg",
+        start: Any = ("-90 deg", "-55 deg", "-95 deg"),
+        onset: Any = (0.0, 0.05, 0.17),
+        rise_time: Any = (0.03, 0.03, 0.03),
+        maximum_torque: Any = (200.0, 130.0, 35.0),
+        maximum_speed: Any = (30.0, 30.0, 60.0),
+    ) -> Golfer:
+        """Return a golfer of torso, lead arm and club, who swings in an inclined plane.
+
+        The three hinges are those of E. J. Sprigings and R. J. Neal (Journal of Applied Biomechanics 16, 356-366,
+        2000). Bodies are those of a man of the given size by P. de Leva (Journal of Biomechanics 29, 1223-1230, 1996),
+        without the trail arm. The torques are no measurements: they make a driver swing of about 45 m/s.
+
+        Parameters
+        ----------
+        mass, height
+            Of the golfer [kg, m], or text with units.
+        lie
+            Angle between ground and plane of the swing [rad], that of the club at address.
+        start
+            Of torso, arm and wrist [rad], or text with units.
+        onset, rise_time, maximum_torque, maximum_speed
+            As for :class:`Golfer`.
+        """
+        mass, height = units.parse(mass, "mass", name="mass"), units.parse(height, "length", name="height")
+        lie = units.parse(lie, "angle", name="lie")
+        up = np.array([0.0, math.sin(lie), -math.cos(lie)])  # along shaft and arm, from the hands to the shoulder
+        target, normal = np.array([1.0, 0.0, 0.0]), np.array([0.0, math.cos(lie), math.sin(lie)])
+        scale = height / DE_LEVA_HEIGHT
+        parts, length = [], 0.0
+        for part, size, cg, across, along in (UPPER_ARM, FOREARM, HAND):
+            own = size * scale
+            # The middle of the grip lies in the hand, at its CG.
+            parts.append((part * mass, length + cg * own, part * mass * (across * own) ** 2,
+                          part * mass * (along * own) ** 2))  # fmt: skip
+            length += cg * own if size == HAND[1] else own
+        arm = sum(each[0] for each in parts)
+        centre = sum(each[0] * each[1] for each in parts) / arm
+        across = sum(each[2] + each[0] * (each[1] - centre) ** 2 for each in parts)
+        along = sum(each[3] for each in parts)
+        onto = np.outer(up, up)
+        shoulder = length * up
+        hub = shoulder - SHOULDER * height * target
+        trunk, size = TRUNK[0] * mass, TRUNK[1] * scale
+        # The trunk turns about its own long axis, which stands for that of the hinge.
+        spine = np.outer(normal, normal)
+        trunk_inertia = trunk * size**2 * (TRUNK[4] ** 2 * spine + TRUNK[3] ** 2 * (np.eye(3) - spine))
+        return cls(
+            segments=(
+                Segment(name="torso", joint=hub, axis=normal, mass=trunk, cg=hub, inertia=trunk_inertia),
+                Segment(name="arm", joint=shoulder, axis=normal, mass=arm, cg=(length - centre) * up,
+                        inertia=across * (np.eye(3) - onto) + along * onto),
+                Segment(name="club", joint=np.zeros(3), axis=normal),
+            ),
+            start=tuple(units.parse(each, "angle", name="start") for each in start),
+            onset=onset, rise_time=rise_time, maximum_torque=maximum_torque, maximum_speed=maximum_speed,
+        )  # fmt: skip

@@ -1,0 +1,319 @@
+"""A swing from the top to the ball, the impact of a head on its shaft, and the flight: one differentiable function."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, NamedTuple
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.core import Tracer
+
+import clubface.jax
+from clubface.chain.attachment import attached_inputs
+from clubface.chain.flexible import flexible_shaft
+from clubface.chain.golfer import BY_JOINT, Golfer
+from clubface.chain.mechanics import (
+    GRAVITY,
+    HeadMotion,
+    accelerations,
+    head_motion,
+    kinetic_energy,
+    mechanism_of,
+    pose,
+    potential_energy,
+    torques,
+)
+from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.clubs import Club, club as club_named
+from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.shafts import Shaft, shaft as shaft_named
+from clubface.errors import InputError, Wording
+from clubface.support.checks import check_names
+
+__all__ = ["Motion", "Shot", "Swing"]
+
+BY_STATION = ("bending_stiffness", "torsional_stiffness")
+PLACES = ("toe", "high", "ball_forward")
+TOWARDS_BALL = 0.5
+"""The face looks this much to the target, at least, where it may meet the ball: cosine of the angle."""
+REACHED = 1e-9
+"""How far from the ball a swing may end [m], or from square [rad]."""
+
+
+class Motion(NamedTuple):
+    """A swing over time; after impact it stays as it was.
+
+    Attributes
+    ----------
+    time
+        Since the start from rest [s], shape (steps,).
+    coordinates, rates
+        Angles of the joints from the reference pose [rad] and coordinates of the shaft, and their rates, shape (steps,
+        n).
+    work
+        Of each generator with its stop [J], shape (steps, joints).
+    heat
+        That the shaft has made [J], shape (steps,).
+    torque
+        Of each generator with its stop [N m], shape (steps, joints).
+    """
+
+    time: Any
+    coordinates: Any
+    rates: Any
+    work: Any
+    heat: Any
+    torque: Any
+
+
+class Shot(NamedTuple):
+    """A swing at first touch, and what follows.
+
+    Attributes
+    ----------
+    time
+        Of first touch, since the start from rest [s].
+    coordinates, rates
+        As of :class:`Motion`, shape (n,).
+    ball
+        Where its centre lies, from the middle of the hands in the reference pose [m], shape (3,).
+    delivery, launch, flight
+        Quantities by name [SI], as :func:`clubface.jax.impact` and :func:`clubface.jax.fly` take and return them.
+    """
+
+    time: Any
+    coordinates: Any
+    rates: Any
+    ball: Any
+    delivery: dict[str, Any]
+    launch: dict[str, Any]
+    flight: dict[str, Any]
+
+
+class _State(NamedTuple):
+    time: Any
+    coordinates: Any
+    rates: Any
+    work: Any
+    heat: Any
+
+
+class Swing:
+    """A golfer with a club, as a function of torques and their timing and of the stiffness of the shaft.
+
+    >>> import jax, jax.numpy as jnp
+    >>> from clubface import chain
+    >>> swing = chain.Swing("driver", "graphite")
+    >>> def carry(onset):
+    ...     return swing.shot(onset=onset).flight["carry"]
+    >>> slope = jax.grad(carry)(jnp.array(swing.golfer.onset))
+
+    The golfer knows where the club comes down: the ball lies where the face turns square and meets the given point of
+    it, unless ``ball_forward`` says how far ahead it lies. To stand elsewhere changes nothing of a swing.
+
+    Parameters
+    ----------
+    club
+        A built-in name, the path of a TOML file, or a :class:`clubface.Club`, right-handed.
+    shaft
+        The same of a :class:`clubface.Shaft`; its grip is held by the hands.
+    golfer
+        Left out, :meth:`Golfer.three_segments`, who swings in the plane of the lie of the shaft.
+    ball
+        A built-in name, a file, or a :class:`clubface.Ball`.
+    model
+        Of impact, as for :func:`clubface.impact`.
+    hands
+        From the butt to the middle of the hands, where the shaft is clamped [m].
+    modes
+        Number of the coordinates of the shaft: 0 is rigid, 2 bends it in two planes, the third twists it.
+    links
+        Number of the pieces into which it is cut.
+    damping
+        Of the shaft: elastic forces act also on the rates of its coordinates times this [s].
+    attached
+        Whether the shaft, free at the butt but for the grip, adds to the inertia of the head at impact.
+    step, duration
+        Of time [s]: the fixed step of the Runge-Kutta method of fourth order, and until when the ball must be reached.
+    """
+
+    def __init__(
+        self,
+        club: str | os.PathLike[str] | Club = "driver",
+        shaft: str | os.PathLike[str] | Shaft = "graphite",
+        golfer: Golfer | None = None,
+        *,
+        ball: str | os.PathLike[str] | Ball | None = None,
+        model: str = DEFAULT_MODEL,
+        hands: float = 0.12,
+        modes: int = 6,
+        links: int = 12,
+        damping: float = 1e-3,
+        attached: bool = True,
+        step: float = 5e-4,
+        duration: float = 0.4,
+    ) -> None:
+        if not jax.config.read("jax_enable_x64"):
+            raise InputError("precision of JAX", "single", 'jax.config.update("jax_enable_x64", True) before')
+        self.club, self.shaft, self.ball = club_named(club), shaft_named(shaft), ball_named(ball)
+        if self.club.hand != 1:
+            raise InputError("hand of the club", "left", "right: a left-hander is the mirror image")
+        self.golfer = Golfer.three_segments(lie=self.shaft.lie) if golfer is None else golfer
+        self.model, self.hands, self.attached = model, hands, attached
+        self.step, self.steps = step, round(duration / step)
+        self.flexible = flexible_shaft(self.shaft, self.club, hands, links, modes)
+        self.mechanism = mechanism_of(self.golfer, self.club, self.shaft, self.flexible, hands, damping)
+        self._compiled_motion = jax.jit(self._motion)
+        self._compiled_end = jax.jit(self._end)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Values that may be given: by joint, by station of the shaft, and of the ball."""
+        return (*BY_JOINT, *BY_STATION, *PLACES)
+
+    def values(self, **given: Any) -> dict[str, Any]:
+        """Return all values of a swing: those given, and those of golfer and shaft."""
+        check_names("value of a swing", given, self.names)
+        values: dict[str, Any] = {name: getattr(self.golfer, name) for name in BY_JOINT}
+        values |= {name: getattr(self.shaft, name) for name in BY_STATION}
+        values |= {"toe": 0.0, "high": 0.0}
+        shapes = {name: np.shape(value) for name, value in values.items()} | {"ball_forward": ()}
+        for name, value in given.items():
+            if np.shape(value) != shapes[name]:
+                raise InputError(name, Wording(f"of shape {np.shape(value)}"), f"of shape {shapes[name]}")
+        return {name: jnp.asarray(value, float) for name, value in (values | given).items()}
+
+    def motion(self, **given: Any) -> Motion:
+        """Return the swing over time up to first touch; the values are those of :meth:`shot`."""
+        return self._compiled_motion(self.values(**given))
+
+    def shot(self, **given: Any) -> Shot:
+        """Return the swing at first touch, the launch of the ball, and its flight.
+
+        Parameters
+        ----------
+        **given
+            Any of the values of the golfer by joint (``start``, ``onset``, ``rise_time``, ``maximum_torque``,
+            ``maximum_speed``), of the shaft by station (``bending_stiffness``, ``torsional_stiffness``), and of the
+            ball: ``toe`` and ``high``, where the face meets it [m], and ``ball_forward``, how far its centre lies ahead
+            of the middle of the hands in the reference pose [m]; left out, it lies where the face turns square.
+
+        Raises
+        ------
+        InputError
+            The club does not come down to the ball in time; within a function that JAX compiles, what depends on the
+            shot is NaN or an error of JAX instead.
+        """
+        values = self.values(**given)
+        end, missed, delivery, place = self._compiled_end(values)
+        if not isinstance(missed, Tracer) and missed:
+            allowed = "torques and timing with which the face comes down to the ball, or a longer duration"
+            raise InputError("swing", Wording(f"without impact in {self.step * self.steps:g} s"), allowed)
+        added = attached_inputs(self.club, self.shaft, {n: given.get(n) for n in BY_STATION}) if self.attached else {}
+        launch = clubface.jax.impact(self.club, {**delivery, **added}, model=self.model, ball=self.ball)
+        flight = clubface.jax.fly(launch, ball=self.ball)
+        return Shot(end.time, end.coordinates, end.rates, place, delivery, launch, flight)
+
+    def head(self, coordinates: Any, rates: Any) -> HeadMotion:
+        """Return where the head is and how it moves at some coordinates and rates, as :class:`Shot` has them."""
+        return head_motion(self.mechanism, coordinates, rates)
+
+    def energy(self, coordinates: Any, rates: Any, **given: Any) -> tuple[Any, Any]:
+        """Return kinetic energy, and potential energy of gravity and shaft, above the reference pose at rest [J]."""
+        stiffness = self._stiffness(self.values(**given))
+        return kinetic_energy(self.mechanism, coordinates, rates), potential_energy(
+            self.mechanism, coordinates, stiffness
+        )
+
+    def _stiffness(self, values: dict[str, Any]) -> Any:
+        return jnp.einsum("s,sij->ij", values["bending_stiffness"], self.flexible.bending) + jnp.einsum(
+            "s,sij->ij", values["torsional_stiffness"], self.flexible.torsion
+        )
+
+    def _start(self, values: dict[str, Any], stiffness: Any) -> _State:
+        """Return the state at the top, at rest, with the shaft in balance with its weight."""
+        joints, size = self.mechanism.joints, self.mechanism.size
+        start = values["start"]
+
+        def weight(bend: Any) -> Any:
+            place, _ = pose(self.mechanism, jnp.concatenate([start, bend]))
+            return GRAVITY * self.mechanism.mass @ place[:, 1]
+
+        none = jnp.zeros(size - joints)
+        bend = none if size == joints else -jnp.linalg.solve(stiffness, jax.grad(weight)(none))
+        return _State(jnp.zeros(()), jnp.concatenate([start, bend]), jnp.zeros(size), jnp.zeros(joints), jnp.zeros(()))
+
+    def _torques(self, values: dict[str, Any], state: _State) -> Any:
+        joints = self.mechanism.joints
+        return torques(state.time, state.coordinates[:joints], state.rates[:joints], values)
+
+    def _rates(self, values: dict[str, Any], stiffness: Any, state: _State) -> _State:
+        joints, damping = self.mechanism.joints, self.mechanism.damping
+        driven = self._torques(values, state)
+        bend, bending = state.coordinates[joints:], state.rates[joints:]
+        lost = damping * stiffness @ bending
+        forces = jnp.concatenate([driven, -stiffness @ bend - lost])
+        change = accelerations(self.mechanism, state.coordinates, state.rates, forces)
+        return _State(jnp.ones(()), state.rates, change, driven * state.rates[:joints], lost @ bending)
+
+    def _advance(self, values: dict[str, Any], stiffness: Any, state: _State, step: Any) -> _State:
+        """Return the state a step later, by the classical Runge-Kutta method; its four stages are one compiled loop."""
+
+        def stage(carry: tuple[_State, _State], each: Any) -> tuple[tuple[_State, _State], None]:
+            slope, total = carry
+            at, weight = each
+            slope = self._rates(values, stiffness, jax.tree.map(lambda x, k: x + at * step * k, state, slope))
+            return (slope, jax.tree.map(lambda x, k: x + weight * step * k, total, slope)), None
+
+        none = jax.tree.map(jnp.zeros_like, state)
+        stages = jnp.array([0.0, 0.5, 0.5, 1.0]), jnp.array([1.0, 2.0, 2.0, 1.0]) / 6.0
+        return jax.lax.scan(stage, (none, state), stages)[0][1]
+
+    def _gap(self, values: dict[str, Any], coordinates: Any, rates: Any) -> tuple[Any, Any, Any, Any]:
+        """Return what is 0 at first touch, negative before; whether the face may meet the ball; the ball; the head."""
+        head = head_motion(self.mechanism, coordinates, rates)
+        touching = clubface.jax.pose(
+            {"toe": values["toe"], "high": values["high"]}, self.club, ball=self.ball
+        )  # of a head at its static loft, with the ball at the origin
+        place = head.position - head.rotation @ touching.position
+        loft = self.club.loft
+        normal = head.rotation @ np.array([np.cos(loft), np.sin(loft), 0.0])
+        gap = place[0] - values["ball_forward"] if "ball_forward" in values else -normal[2]
+        return gap, normal[0] > TOWARDS_BALL, place, head
+
+    def _next(self, values: dict[str, Any], stiffness: Any, state: _State) -> _State:
+        """Return the state a step later, or at first touch, to which Newton's steps converge."""
+
+        def gap(coordinates: Any) -> tuple[Any, Any]:
+            result, near, _, _ = self._gap(values, coordinates, state.rates)
+            return result, near
+
+        (distance, near), (approach, _) = jax.jvp(gap, (state.coordinates,), (state.rates,))
+        ends = near & (approach > 0.0)
+        remaining = -distance / jnp.where(ends, approach, 1.0)
+        step = jnp.where(ends, jnp.clip(remaining, -self.step, self.step), self.step)
+        return self._advance(values, stiffness, state, step)
+
+    def _run(self, values: dict[str, Any]) -> tuple[_State, _State]:
+        stiffness = self._stiffness(values)
+        start = self._start(values, stiffness)
+
+        def advance(state: _State, _: Any) -> tuple[_State, _State]:
+            return self._next(values, stiffness, state), state
+
+        return jax.lax.scan(jax.checkpoint(advance), start, length=self.steps)
+
+    def _motion(self, values: dict[str, Any]) -> Motion:
+        _, states = self._run(values)
+        return Motion(*states, jax.vmap(lambda each: self._torques(values, each))(states))
+
+    def _end(self, values: dict[str, Any]) -> tuple[_State, Any, dict[str, Any], Any]:
+        end, _ = self._run(values)
+        gap, near, place, head = self._gap(values, end.coordinates, end.rates)
+        missed = ~near | (jnp.abs(gap) > REACHED)
+        delivery = clubface.jax.delivery_from_pose(
+            *head, club=self.club, ball=self.ball, ball_position=place
+        )
+        return end, missed, {**delivery, "toe": values["toe"], "high": values["high"]}, place
