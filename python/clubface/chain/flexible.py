@@ -1,7 +1,7 @@
 """A shaft between hands and head, reduced to a few shapes of its curvature.
 
 The shaft is cut into links, joined in the middle of each section by rotations that are linear in a few coordinates: the
-change of direction over the section in the first natural modes of the clamped beam with its head. Rotations of links
+change of direction over the section in a few shapes of the clamped beam with its head. Rotations of links
 follow one another, whatever their size, so that stretch, shortening by bending and stiffening by the pull of the head
 need no terms of their own (assumed strains: F. Renda and others, IEEE Robotics and Automation Letters 5, 4006-4013,
 2020). The elastic energy is linear in the stiffness of each station.
@@ -22,6 +22,7 @@ from clubface.simulation.beam import Beam, beam_axes, head_on_beam, natural_mode
 
 __all__ = ["FlexibleShaft", "flexible_shaft", "links_of"]
 
+STATIC_SHAPES = 5
 POINTS = 50
 """Points by which the mass of a link is integrated."""
 
@@ -117,15 +118,15 @@ def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:
 
 
 def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: int) -> FlexibleShaft:
-    """Return the shaft of a club reduced to its first modes, clamped in the hands."""
+    """Return the shaft of a club reduced to a few shapes, clamped in the hands."""
     inertia = np.array(spatial_inertia(club.mass, club.inertia))
     tip, axis = np.array(club.cg) + np.array(shaft.hosel), np.array(shaft.axis)
     beam = _held_beam(shaft, hands)
-    squares, shapes = natural_modes(*head_on_beam(beam, inertia, tip, axis))
-    chosen = shapes[:, :modes]
+    elastic, mass = head_on_beam(beam, inertia, tip, axis)
+    turn = beam_axes(axis)
+    squares, chosen = _shapes(elastic, mass, tip, turn, modes)
     length = held_length(shaft, hands)
     nodes = beam.nodes(60)
-    turn = beam_axes(axis)
     # Rotations of the head, then of the nodes along the beam, and none in the hands; all in the axes of the head.
     rotations = np.concatenate([
         chosen[None, 3:6],
@@ -151,5 +152,26 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
         np.diff(sampled, axis=-1).transpose(0, 2, 1),
         stiffness("bending"),
         stiffness("torsion"),
-        np.sqrt(squares[:modes]),
+        np.sqrt(squares),
     )
+
+
+def _shapes(elastic: Any, mass: Any, tip: Any, turn: Any, count: int) -> tuple[Any, Any]:
+    """Return squares of angular frequencies, ascending, and shapes of unit modal mass, which combine two kinds.
+
+    First come the static shapes by forces across the tip and moments on it: with these alone the shaft bends and twists
+    exactly as the head pulls at it. Natural modes follow, for what vibrates in between.
+    """
+    across = [np.concatenate([each, np.cross(tip, each)]) for each in turn[1:]]
+    moments = [np.concatenate([np.zeros(3), each]) for each in turn]
+    loads = np.zeros((len(mass), STATIC_SHAPES))
+    loads[:6] = np.transpose([*across, *moments])
+    static = np.linalg.solve(elastic, loads)
+    natural = natural_modes(elastic, mass)[1][:, : max(0, count - STATIC_SHAPES)]
+    basis = np.linalg.qr(np.concatenate([_of_unit_mass(static, mass), natural], axis=1))[0]
+    squares, combined = natural_modes(basis.T @ elastic @ basis, basis.T @ mass @ basis)
+    return squares[:count], basis @ combined[:, :count]
+
+
+def _of_unit_mass(shapes: Any, mass: Any) -> Any:
+    return shapes / np.sqrt(np.einsum("im,ij,jm->m", shapes, mass, shapes))

@@ -43,7 +43,7 @@ class Segment:
     axis
         Direction of the axis, about which a positive angle swings the club towards the target, shape (3,).
     mass
-        [kg]; 0 for a joint without a body of its own.
+        [kg]; that of the last one is without the club.
     cg
         Of the body [m], shape (3,).
     inertia
@@ -151,18 +151,21 @@ class Golfer:
         up = np.array([0.0, math.sin(lie), -math.cos(lie)])  # along shaft and arm, from the hands to the shoulder
         target, normal = np.array([1.0, 0.0, 0.0]), np.array([0.0, math.cos(lie), math.sin(lie)])
         scale = height / DE_LEVA_HEIGHT
-        parts, length = [], 0.0
-        for part, size, cg, across, along in (UPPER_ARM, FOREARM, HAND):
+        # The middle of the grip lies at the CG of the hand, and the hand turns with the club about the wrist.
+        wrist = HAND[2] * HAND[1] * scale
+        parts, length = [], wrist
+        for part, size, cg, across, along in (FOREARM, UPPER_ARM):
             own = size * scale
-            # The middle of the grip lies in the hand, at its CG.
-            parts.append((part * mass, length + cg * own, part * mass * (across * own) ** 2,
+            parts.append((part * mass, length + (1.0 - cg) * own, part * mass * (across * own) ** 2,
                           part * mass * (along * own) ** 2))  # fmt: skip
-            length += cg * own if size == HAND[1] else own
+            length += own
         arm = sum(each[0] for each in parts)
         centre = sum(each[0] * each[1] for each in parts) / arm
         across = sum(each[2] + each[0] * (each[1] - centre) ** 2 for each in parts)
         along = sum(each[3] for each in parts)
         onto = np.outer(up, up)
+        hand, hand_size = HAND[0] * mass, HAND[1] * scale
+        hand_inertia = hand * hand_size**2 * (HAND[3] ** 2 * (np.eye(3) - onto) + HAND[4] ** 2 * onto)
         shoulder = length * up
         hub = shoulder - SHOULDER * height * target
         trunk, size = TRUNK[0] * mass, TRUNK[1] * scale
@@ -172,9 +175,9 @@ class Golfer:
         return cls(
             segments=(
                 Segment(name="torso", joint=hub, axis=normal, mass=trunk, cg=hub, inertia=trunk_inertia),
-                Segment(name="arm", joint=shoulder, axis=normal, mass=arm, cg=(length - centre) * up,
+                Segment(name="arm", joint=shoulder, axis=normal, mass=arm, cg=centre * up,
                         inertia=across * (np.eye(3) - onto) + along * onto),
-                Segment(name="club", joint=np.zeros(3), axis=normal),
+                Segment(name="club", joint=wrist * up, axis=normal, mass=hand, inertia=hand_inertia),
             ),
             start=tuple(units.parse(each, "angle", name="start") for each in start),
             onset=onset, rise_time=rise_time, maximum_torque=maximum_torque, maximum_speed=maximum_speed,

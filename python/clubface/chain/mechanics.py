@@ -31,7 +31,7 @@ CURVATURE = 3.0
 """Of the relation between torque and speed (Sprigings and Neal, 2000)."""
 ONSET_SHARPNESS = 4.0
 """Part of the rise time, as its inverse, over which a generator starts: sharp enough for muscles, and smooth."""
-STOP_STIFFNESS, STOP_DAMPING, STOP_WIDTH = 1500.0, 20.0, 0.01
+STOP_STIFFNESS, STOP_DAMPING, STOP_WIDTH = 800.0, 4.0, 0.01
 """Of a joint behind its start [N m/rad, N m s/rad], and the angle over which both begin [rad]."""
 
 

@@ -25,6 +25,7 @@ from clubface.chain.mechanics import (
     potential_energy,
     torques,
 )
+from clubface.chain.mjcf import mjcf
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
@@ -149,8 +150,8 @@ class Swing:
         model: str = DEFAULT_MODEL,
         hands: float = 0.12,
         modes: int = 6,
-        links: int = 12,
-        damping: float = 1e-3,
+        links: int = 20,
+        damping: float = 2e-4,
         attached: bool = True,
         step: float = 5e-4,
         duration: float = 0.4,
@@ -161,12 +162,13 @@ class Swing:
         if self.club.hand != 1:
             raise InputError("hand of the club", "left", "right: a left-hander is the mirror image")
         self.golfer = Golfer.three_segments(lie=self.shaft.lie) if golfer is None else golfer
-        self.model, self.hands, self.attached = model, hands, attached
+        self.model, self.hands, self.links, self.attached = model, hands, links, attached
         self.step, self.steps = step, round(duration / step)
         self.flexible = flexible_shaft(self.shaft, self.club, hands, links, modes)
         self.mechanism = mechanism_of(self.golfer, self.club, self.shaft, self.flexible, hands, damping)
         self._compiled_motion = jax.jit(self._motion)
         self._compiled_end = jax.jit(self._end)
+        self._compiled_torques = jax.jit(torques)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -215,6 +217,28 @@ class Swing:
         launch = clubface.jax.impact(self.club, {**delivery, **added}, model=self.model, ball=self.ball)
         flight = clubface.jax.fly(launch, ball=self.ball)
         return Shot(end.time, end.coordinates, end.rates, place, delivery, launch, flight)
+
+    def mjcf(self, *, links: int | None = None) -> str:
+        """Return the same golfer and club as XML for MuJoCo, with a joint for each segment and springs along the shaft.
+
+        In the reference pose all of its angles are 0 and the axes of all bodies are those of the world. The body "head"
+        has its origin in the CG of the head and its axes.
+
+        Parameters
+        ----------
+        links
+            Number of the pieces of the shaft, each of which bends and twists; 0 is a rigid shaft. Left out, that of the
+            swing, or 0 if that has no modes.
+        """
+        if links is None:
+            links = self.links if self.mechanism.size > self.mechanism.joints else 0
+        return mjcf(
+            self.golfer, self.club, self.shaft, hands=self.hands, damping=self.mechanism.damping, links=links
+        )  # fmt: skip
+
+    def torques(self, time: Any, angles: Any, speeds: Any, **given: Any) -> Any:
+        """Return the torques of generators and stops at a time [s], angles [rad] and speeds [rad/s] of the joints [N m]."""
+        return self._compiled_torques(time, angles, speeds, self.values(**given))
 
     def head(self, coordinates: Any, rates: Any) -> HeadMotion:
         """Return where the head is and how it moves at some coordinates and rates, as :class:`Shot` has them."""

@@ -1,0 +1,91 @@
+"""The golfer and the club of a swing as a model of MuJoCo, of the same bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from clubface.chain.flexible import held_length, links_of
+from clubface.chain.golfer import Golfer
+from clubface.chain.mechanics import GRAVITY
+from clubface.equipment.clubs import Club
+from clubface.equipment.shafts import Shaft
+from clubface.simulation.beam import beam_axes
+
+__all__ = ["mjcf"]
+
+ARMATURE = 1e-6
+"""Inertia of each joint of the shaft against its own rate [kg m2]: it keeps the twist of a short link slow enough for
+explicit steps, and as an inertia of the head it counts 1e-4 at most."""
+
+
+def mjcf(golfer: Golfer, club: Club, shaft: Shaft, *, hands: float, damping: float, links: int) -> str:
+    """Return a golfer with a club as XML for MuJoCo; ``links`` pieces of shaft bend and twist, none if 0.
+
+    In the pose of all zeros the axes of all bodies are those of the world. The joints of the golfer come first.
+    """
+    pieces = links_of(shaft, hands, max(links, 1))
+    down = -np.array(shaft.axis)
+    onto = np.outer(down, down)
+    length = held_length(shaft, hands)
+    head = length * down - np.array(shaft.hosel) - np.array(club.cg)
+    lines = [
+        f"<mujoco model={quoteattr(golfer.segments[-1].name)}>",
+        f'  <option gravity="0 {-GRAVITY} 0" integrator="RK4" timestep="5e-05"/>',
+        '  <compiler angle="radian" inertiafromgeom="false" autolimits="true"/>',
+        "  <worldbody>",
+    ]
+    origin = np.zeros(3)
+    depth = 0
+
+    def open_body(name: str, place: Any, *content: str) -> None:
+        nonlocal origin, depth
+        lines.append(f'{"  " * (depth + 2)}<body name={quoteattr(name)} pos="{_numbers(place - origin)}">')
+        lines.extend("  " * (depth + 3) + each for each in content)
+        origin, depth = place, depth + 1
+
+    def inertial(mass: float, cg: Any, inertia: Any) -> str:
+        return _inertial(mass, cg - origin, inertia)
+
+    def slender(mass: float, cg: float, inertia: Any) -> str:
+        return inertial(mass, cg * down, inertia[0] * (np.eye(3) - onto) + inertia[1] * onto)
+
+    for segment in golfer.segments:
+        open_body(segment.name, segment.joint, f'<joint name={quoteattr(segment.name)} axis="{_numbers(segment.axis)}"/>')
+        if segment.mass > 0.0:
+            lines.append("  " * (depth + 2) + inertial(segment.mass, segment.cg, segment.inertia))
+    open_body("grip", np.zeros(3))
+    lines.append("  " * (depth + 2) + slender(pieces.grip_mass, pieces.grip_cg, pieces.grip_inertia))
+    at = length - pieces.joint
+    bending, torsion = (
+        np.interp(at, shaft.position, each) * max(links, 1) / length
+        for each in (shaft.bending_stiffness, shaft.torsional_stiffness)
+    )
+    along, one, other = beam_axes(np.array(shaft.axis))
+    for link, place in enumerate(pieces.joint):
+        springs = ((one, bending[link]), (other, bending[link]), (along, torsion[link]))
+        joints = [
+            f'<joint axis="{_numbers(axis)}" stiffness="{stiffness!r}" damping="{damping * stiffness!r}"'
+            f' armature="{ARMATURE}"/>'
+            for axis, stiffness in ((axis, float(stiffness)) for axis, stiffness in springs)
+        ]
+        open_body(f"shaft{link}", place * down, *(joints if links else ()))
+        lines.append("  " * (depth + 2) + slender(pieces.mass[link], pieces.cg[link], pieces.inertia[link]))
+    open_body("head", head)
+    lines.append("  " * (depth + 2) + inertial(club.mass, head, np.array(club.inertia)))
+    lines.extend("  " * (each + 2) + "</body>" for each in reversed(range(depth)))
+    lines += ["  </worldbody>", "</mujoco>", ""]
+    return "\n".join(lines)
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return " ".join(repr(float(each)) for each in values)
+
+
+def _inertial(mass: float, cg: Any, inertia: Any) -> str:
+    places = (0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)
+    full = _numbers(inertia[i][j] for i, j in places)
+    return f'<inertial mass="{float(mass)!r}" pos="{_numbers(cg)}" fullinertia="{full}"/>'
