@@ -48,7 +48,7 @@ $(VENV)/.setup: constraints-dev.txt scripts/find-tools.sh
 
 # The packages of Python arrive while the core compiles.
 $(VENV)/.build: $(VENV)/.setup pyproject.toml $(RUST_SOURCES)
-	@$(PYTHON) scripts/requirements.py excel tables plots fem capture fit studio jax | $(PYTHON) -m pip install --quiet -r /dev/stdin & \
+	@$(PYTHON) scripts/requirements.py excel tables plots fem capture fit studio jax mujoco | $(PYTHON) -m pip install --quiet -r /dev/stdin & \
 	$(BIN)/maturin develop --release --skip-install --quiet && wait $$!
 	$(BIN)/maturin develop --release --quiet
 	@scripts/fmi-library.sh release

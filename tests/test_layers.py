@@ -18,7 +18,7 @@ FLOORS = (
     ("shots",),
     ("fem", "validation"),
     ("inference", "capture"),
-    ("design", "studies", "plots", "jax", "torch", "export"),
+    ("design", "studies", "plots", "jax", "torch", "export", "chain"),
     ("studio",),
     ("cli", "__main__"),
     ("clubface",),

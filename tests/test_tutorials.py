@@ -24,7 +24,7 @@ def check(page, folder, **options):
     text = page.read_text(encoding="utf-8")
     for module in (
         *NEEDED,
-        *(name for name in ("jax", "torch", "casadi") if f"import {name}" in text or f"clubface.{name}" in text),
+        *(name for name in ("jax", "torch", "casadi", "mujoco") if f"import {name}" in text or f"clubface.{name}" in text),
     ):
         pytest.importorskip(module, reason=f"{module} is not installed")
     pytest.importorskip("matplotlib").use("agg")

@@ -101,7 +101,7 @@ _MODULES = (
     "validation",
 )  # fmt: skip
 
-_ARRAY_LIBRARIES = ("jax", "torch")
+_ARRAY_LIBRARIES = ("chain", "jax", "torch")
 """Modules for libraries that come with extras; ``from clubface import *`` leaves them out."""
 
 _MOVED = {

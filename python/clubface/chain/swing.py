@@ -26,6 +26,7 @@ from clubface.chain.mechanics import (
     torques,
 )
 from clubface.chain.mjcf import mjcf
+from clubface.equipment.attachment import added_inputs
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
@@ -129,7 +130,8 @@ class Swing:
     hands
         From the butt to the middle of the hands, where the shaft is clamped [m].
     modes
-        Number of the coordinates of the shaft: 0 is rigid, 2 bends it in two planes, the third twists it.
+        Number of the coordinates of the shaft: 0 is rigid, 2 bend it in two planes, and 5 also twist it and bend it as
+        any force and moment of the head do; with more it vibrates in between.
     links
         Number of the pieces into which it is cut.
     damping
@@ -149,7 +151,7 @@ class Swing:
         ball: str | os.PathLike[str] | Ball | None = None,
         model: str = DEFAULT_MODEL,
         hands: float = 0.12,
-        modes: int = 6,
+        modes: int = 5,
         links: int = 20,
         damping: float = 2e-4,
         attached: bool = True,
@@ -166,6 +168,8 @@ class Swing:
         self.step, self.steps = step, round(duration / step)
         self.flexible = flexible_shaft(self.shaft, self.club, hands, links, modes)
         self.mechanism = mechanism_of(self.golfer, self.club, self.shaft, self.flexible, hands, damping)
+        self._attached = added_inputs(self.shaft.added_inertia(self.club))
+        self._added = attached_inputs(self.club, self.shaft)
         self._compiled_motion = jax.jit(self._motion)
         self._compiled_end = jax.jit(self._end)
         self._compiled_torques = jax.jit(torques)
@@ -213,8 +217,10 @@ class Swing:
         if not isinstance(missed, Tracer) and missed:
             allowed = "torques and timing with which the face comes down to the ball, or a longer duration"
             raise InputError("swing", Wording(f"without impact in {self.step * self.steps:g} s"), allowed)
-        added = attached_inputs(self.club, self.shaft, {n: given.get(n) for n in BY_STATION}) if self.attached else {}
-        launch = clubface.jax.impact(self.club, {**delivery, **added}, model=self.model, ball=self.ball)
+        added = self._attached if not set(BY_STATION) & set(given) else self._added(*(values[n] for n in BY_STATION))
+        launch = clubface.jax.impact(
+            self.club, {**delivery, **(added if self.attached else {})}, model=self.model, ball=self.ball
+        )  # fmt: skip
         flight = clubface.jax.fly(launch, ball=self.ball)
         return Shot(end.time, end.coordinates, end.rates, place, delivery, launch, flight)
 
@@ -295,23 +301,25 @@ class Swing:
         stages = jnp.array([0.0, 0.5, 0.5, 1.0]), jnp.array([1.0, 2.0, 2.0, 1.0]) / 6.0
         return jax.lax.scan(stage, (none, state), stages)[0][1]
 
-    def _gap(self, values: dict[str, Any], coordinates: Any, rates: Any) -> tuple[Any, Any, Any, Any]:
+    def _to_ball(self, values: dict[str, Any]) -> Any:
+        """Return the vector from the CG of the head to the ball that it touches, in the axes of the head [m]."""
+        at = {"toe": values["toe"], "high": values["high"]}
+        return -clubface.jax.pose(at, self.club, ball=self.ball).position
+
+    def _gap(self, values: dict[str, Any], to_ball: Any, coordinates: Any, rates: Any) -> tuple[Any, Any, Any, Any]:
         """Return what is 0 at first touch, negative before; whether the face may meet the ball; the ball; the head."""
         head = head_motion(self.mechanism, coordinates, rates)
-        touching = clubface.jax.pose(
-            {"toe": values["toe"], "high": values["high"]}, self.club, ball=self.ball
-        )  # of a head at its static loft, with the ball at the origin
-        place = head.position - head.rotation @ touching.position
+        place = head.position + head.rotation @ to_ball
         loft = self.club.loft
         normal = head.rotation @ np.array([np.cos(loft), np.sin(loft), 0.0])
         gap = place[0] - values["ball_forward"] if "ball_forward" in values else -normal[2]
         return gap, normal[0] > TOWARDS_BALL, place, head
 
-    def _next(self, values: dict[str, Any], stiffness: Any, state: _State) -> _State:
+    def _next(self, values: dict[str, Any], to_ball: Any, stiffness: Any, state: _State) -> _State:
         """Return the state a step later, or at first touch, to which Newton's steps converge."""
 
         def gap(coordinates: Any) -> tuple[Any, Any]:
-            result, near, _, _ = self._gap(values, coordinates, state.rates)
+            result, near, _, _ = self._gap(values, to_ball, coordinates, state.rates)
             return result, near
 
         (distance, near), (approach, _) = jax.jvp(gap, (state.coordinates,), (state.rates,))
@@ -322,10 +330,10 @@ class Swing:
 
     def _run(self, values: dict[str, Any]) -> tuple[_State, _State]:
         stiffness = self._stiffness(values)
-        start = self._start(values, stiffness)
+        start, to_ball = self._start(values, stiffness), self._to_ball(values)
 
         def advance(state: _State, _: Any) -> tuple[_State, _State]:
-            return self._next(values, stiffness, state), state
+            return self._next(values, to_ball, stiffness, state), state
 
         return jax.lax.scan(jax.checkpoint(advance), start, length=self.steps)
 
@@ -335,7 +343,7 @@ class Swing:
 
     def _end(self, values: dict[str, Any]) -> tuple[_State, Any, dict[str, Any], Any]:
         end, _ = self._run(values)
-        gap, near, place, head = self._gap(values, end.coordinates, end.rates)
+        gap, near, place, head = self._gap(values, self._to_ball(values), end.coordinates, end.rates)
         missed = ~near | (jnp.abs(gap) > REACHED)
         delivery = clubface.jax.delivery_from_pose(
             *head, club=self.club, ball=self.ball, ball_position=place

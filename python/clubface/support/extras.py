@@ -19,6 +19,7 @@ EXTRAS = {
     "websockets": "studio",
     "jax": "jax",
     "torch": "torch",
+    "mujoco": "mujoco",
 }
 """The extra of the package that brings each optional library."""
 
