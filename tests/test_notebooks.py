@@ -29,6 +29,8 @@ def stored(name):
 
 @cache
 def ran(name):
+    if "import jax" in (FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"):
+        pytest.importorskip("jax", reason="the extra jax is not installed")
     return run.executed(FOLDER / f"{name}.ipynb")
 
 
@@ -101,6 +103,25 @@ def test_ones_own_law_keeps_momentum_and_energy_and_equals_the_built_in_one():
     speeds, peaks = [row[1] for row in rows], [row[4] for row in rows]
     assert max(speeds) - min(speeds) < 1.0
     assert peaks == sorted(peaks)
+
+
+def test_timing_gains_carry_and_stiffness_changes_loft_more_than_speed():
+    text = printed("from-torques-to-carry")
+    assert text.count("agrees to a part in 10,000: True") == 3
+    ((before, after),) = numbers("from-torques-to-carry", r"carry from ([\d.]+) to ([\d.]+) m")
+    assert after > before + 1.0
+    rows = numbers(
+        "from-torques-to-carry",
+        r"stiffness +(\d+) %: ([\d.]+) m/s, loft +([\d.]+), attack +([+-][\d.]+) deg, carry ([\d.]+)",
+    )
+    for golfer in (rows[:4], rows[4:8], rows[8:]):
+        assert len(golfer) == 4
+        speeds, lofts = [row[1] for row in golfer], [row[2] for row in golfer]
+        assert speeds == sorted(speeds, reverse=True)
+        assert speeds[0] - speeds[-1] < 0.04 * speeds[0]
+        assert lofts[0] > lofts[-1]
+    ((attached, free),) = numbers("from-torques-to-carry", r"([\d.]+) m/s on the shaft, ([\d.]+) m/s with a free head")
+    assert 0.0 < attached - free < 0.02 * free
 
 
 def test_a_design_stays_within_the_rules_and_its_parts_add_up():

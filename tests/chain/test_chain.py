@@ -123,7 +123,7 @@ def test_the_work_of_the_torques_is_the_gain_of_energy_and_the_heat(swing):
     work = motion.work.sum(axis=1)
     assert gained[-1] > 200.0
     assert np.abs(gained + motion.heat - work).max() < 1e-6 * gained[-1]
-    assert 0.01 < motion.heat[-1] < 5.0
+    assert 0.1 < motion.heat[-1] < 20.0
 
 
 def test_a_swing_ends_square_on_the_ball_and_is_that_of_a_golfer(swing):
@@ -136,9 +136,7 @@ def test_a_swing_ends_square_on_the_ball_and_is_that_of_a_golfer(swing):
     assert shot.delivery["lie"] < 0.0
     # Once more by the head's pose, through the package without JAX.
     head = swing.head(shot.coordinates, shot.rates)
-    delivery = clubface.Delivery.from_pose(
-        *map(np.asarray, head), club=swing.club, ball_position=np.asarray(shot.ball)
-    )
+    delivery = clubface.Delivery.from_pose(*map(np.asarray, head), club=swing.club, ball_position=np.asarray(shot.ball))
     launch = clubface.impact(swing.club.on_shaft("graphite"), delivery)
     assert float(shot.launch["ball_speed"]) == pytest.approx(float(launch.ball_speed), rel=1e-9)
     assert float(shot.launch["backspin"]) == pytest.approx(float(launch.backspin), rel=1e-7)
@@ -244,7 +242,8 @@ def test_mujoco_moves_a_rigid_club_alike(rigid):
 
 
 def test_mujoco_bends_a_shaft_of_rigid_links_alike():
-    """MuJoCo turns its links about one axis after another: a thousandth of the angles. 0.3 mm of 20 mm of bending."""
+    """MuJoCo turns its links about one axis after another: their error falls with the square of the length of
+    a link, to 0.06 mm with 20 links; with 8 it is 0.32 mm, 0.014 m/s and 0.0006 rad."""
     swing = chain.Swing("driver", "graphite", modes=9, links=8, damping=0.0, step=2.5e-4)
     motion = swing.motion()
     place = int(np.searchsorted(motion.time, 0.24 - 1e-9))
@@ -253,9 +252,9 @@ def test_mujoco_bends_a_shaft_of_rigid_links_alike():
     straight = motion.coordinates[place].at[3:].set(0.0)
     bent = np.linalg.norm(head.position - swing.head(straight, motion.rates[place]).position)
     assert bent > 0.01
-    assert np.linalg.norm(data.body("head").xpos - head.position) < 3e-4
+    assert np.linalg.norm(data.body("head").xpos - head.position) < 4e-4
     assert np.linalg.norm(velocity[3:] - head.velocity) < 0.02
-    assert np.abs(data.body("head").xmat.reshape(3, 3) - head.rotation).max() < 1.5e-3
+    assert np.abs(data.body("head").xmat.reshape(3, 3) - head.rotation).max() < 1e-3
 
 
 @pytest.mark.parametrize(

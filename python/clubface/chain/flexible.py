@@ -10,6 +10,7 @@ need no terms of their own (assumed strains: F. Renda and others, IEEE Robotics 
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -83,7 +84,7 @@ def links_of(shaft: Shaft, hands: float, count: int) -> Links:
     length = held_length(shaft, hands)
     joint = (np.arange(count) + 0.5) * length / count
     edges = np.append(joint, length)
-    pieces = [_piece(shaft, length, low, high) for low, high in zip(edges[:-1], edges[1:], strict=True)]
+    pieces = [_piece(shaft, length, low, high) for low, high in pairwise(edges)]
     mass, cg, inertia = (np.array(each) for each in zip(*pieces, strict=True))
     own = _piece(shaft, length, -hands, edges[0])
     grip = (shaft.grip_mass, -hands, np.zeros(2))
@@ -106,7 +107,7 @@ def _piece(shaft: Shaft, length: float, low: float, high: float) -> tuple[float,
 
 
 def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:
-    """Return the beam from the tip to the hands, clamped there, with some properties given by station in their place."""
+    """Return the beam from the tip to the hands, clamped there, with some properties by station in their place."""
     length = held_length(shaft, hands)
     whole = replace(shaft.beam(), **properties)
     stations = np.append(whole.position[whole.position < length], length)
@@ -142,7 +143,7 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
     def stiffness(name: str) -> Any:
         result = []
         for station in range(len(none)):
-            unit = {each: none for each in ("bending", "torsion", "axial")}
+            unit = dict.fromkeys(("bending", "torsion", "axial"), none)
             unit[name] = np.eye(len(none))[station]
             elastic = head_on_beam(_held_beam(shaft, hands, **unit), inertia, tip, axis)[0]
             result.append(chosen.T @ elastic @ chosen)

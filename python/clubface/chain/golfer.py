@@ -61,7 +61,9 @@ class Segment:
         for name, shape in (("joint", (3,)), ("axis", (3,)), ("cg", (3,)), ("inertia", (3, 3))):
             array = np.array(getattr(self, name), dtype=np.float64)
             if array.shape != shape or not np.isfinite(array).all():
-                raise InputError(f"{name} of {self.name}", Wording(f"of shape {array.shape}"), f"numbers, shape {shape}")
+                raise InputError(
+                    f"{name} of {self.name}", Wording(f"of shape {array.shape}"), f"numbers, shape {shape}"
+                )
             object.__setattr__(self, name, array)
         length = float(np.linalg.norm(self.axis))
         if length == 0.0:

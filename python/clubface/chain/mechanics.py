@@ -141,8 +141,13 @@ def _frames(mechanism: Mechanism, coordinates: Any) -> _Frames:
     own = jnp.eye(3) + sine * cross + versine * (cross @ cross)
     # About its own axis a hinge turns by its rate, whatever its angle.
     none = jnp.zeros_like(angle)
+
     # A loop instead of a tree of products: half as long to compile.
-    _, rotation = jax.lax.scan(lambda before, each: (before @ each,) * 2, jnp.eye(3), own)
+    def onward(before: Any, each: Any) -> tuple[Any, Any]:
+        turned = before @ each
+        return turned, turned
+
+    _, rotation = jax.lax.scan(onward, jnp.eye(3), own)
     return _Frames(rotation, cross, jnp.concatenate([none, second]), jnp.concatenate([none, third]))
 
 

@@ -54,7 +54,9 @@ def mjcf(golfer: Golfer, club: Club, shaft: Shaft, *, hands: float, damping: flo
         return inertial(mass, cg * down, inertia[0] * (np.eye(3) - onto) + inertia[1] * onto)
 
     for segment in golfer.segments:
-        open_body(segment.name, segment.joint, f'<joint name={quoteattr(segment.name)} axis="{_numbers(segment.axis)}"/>')
+        open_body(
+            segment.name, segment.joint, f'<joint name={quoteattr(segment.name)} axis="{_numbers(segment.axis)}"/>'
+        )
         if segment.mass > 0.0:
             lines.append("  " * (depth + 2) + inertial(segment.mass, segment.cg, segment.inertia))
     open_body("grip", np.zeros(3))
