@@ -272,7 +272,7 @@ def test_mistakes_are_named(swing, values, message):
 
 def test_a_golfer_needs_a_value_for_each_joint():
     with pytest.raises(InputError, match="onset"):
-        chain.Golfer.three_segments(onset=(0.0, 0.1))
+        chain.GolferBody.three_segments(onset=(0.0, 0.1))
     with pytest.raises(InputError, match="hands"):
         chain.Swing(hands=2.0)
     with pytest.raises(InputError, match="hand"):

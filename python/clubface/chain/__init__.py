@@ -4,7 +4,7 @@ A golfer of driven segments swings a club on a flexible shaft; the head meets th
 flies. Every value has derivatives by the timing and size of torques and by the stiffness of the shaft.
 """
 
-from clubface.chain.golfer import Golfer, Segment
+from clubface.chain.golfer import GolferBody, Segment
 from clubface.chain.swing import Motion, Shot, Swing
 
-__all__ = ["Golfer", "Motion", "Segment", "Shot", "Swing"]
+__all__ = ["GolferBody", "Motion", "Segment", "Shot", "Swing"]

@@ -143,7 +143,7 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
     def stiffness(name: str) -> Any:
         result = []
         for station in range(len(none)):
-            unit = dict.fromkeys(("bending", "torsion", "axial"), none)
+            unit: dict[str, Any] = dict.fromkeys(("bending", "torsion", "axial"), none)
             unit[name] = np.eye(len(none))[station]
             elastic = head_on_beam(_held_beam(shaft, hands, **unit), inertia, tip, axis)[0]
             result.append(chosen.T @ elastic @ chosen)

@@ -11,7 +11,7 @@ import numpy as np
 from clubface import units
 from clubface.errors import InputError, Wording
 
-__all__ = ["Golfer", "Segment"]
+__all__ = ["GolferBody", "Segment"]
 
 BY_JOINT = ("start", "onset", "rise_time", "maximum_torque", "maximum_speed")
 """The values of a golfer that each joint has its own of."""
@@ -72,7 +72,7 @@ class Segment:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Golfer:
+class GolferBody:
     """A chain of segments from the ground to the hands, each driven by a torque generator at its hinge.
 
     Each list has a value for every joint, the first being the one that stands on the ground.
@@ -110,7 +110,7 @@ class Golfer:
                 raise InputError(name, min(values), "more than 0")
             object.__setattr__(self, name, values)
 
-    def replace(self, **changes: Any) -> Golfer:
+    def replace(self, **changes: Any) -> GolferBody:
         """Return it with fields changed."""
         known = [each.name for each in fields(self)]
         for name in changes:
@@ -130,7 +130,7 @@ class Golfer:
         rise_time: Any = (0.03, 0.03, 0.03),
         maximum_torque: Any = (200.0, 130.0, 35.0),
         maximum_speed: Any = (30.0, 30.0, 60.0),
-    ) -> Golfer:
+    ) -> GolferBody:
         """Return a golfer of torso, lead arm and club, who swings in an inclined plane.
 
         The three hinges are those of E. J. Sprigings and R. J. Neal (Journal of Applied Biomechanics 16, 356-366,
@@ -146,7 +146,7 @@ class Golfer:
         start
             Of torso, arm and wrist [rad], or text with units.
         onset, rise_time, maximum_torque, maximum_speed
-            As for :class:`Golfer`.
+            As for :class:`GolferBody`.
         """
         mass, height = units.parse(mass, "mass", name="mass"), units.parse(height, "length", name="height")
         lie = units.parse(lie, "angle", name="lie")

@@ -14,7 +14,7 @@ import jax.numpy as jnp
 import numpy as np
 
 from clubface.chain.flexible import FlexibleShaft, links_of
-from clubface.chain.golfer import Golfer
+from clubface.chain.golfer import GolferBody
 from clubface.equipment.clubs import Club
 from clubface.equipment.shafts import Shaft
 
@@ -81,7 +81,7 @@ class Mechanism(NamedTuple):
 
 
 def mechanism_of(
-    golfer: Golfer, club: Club, shaft: Shaft, flexible: FlexibleShaft, hands: float, damping: float
+    golfer: GolferBody, club: Club, shaft: Shaft, flexible: FlexibleShaft, hands: float, damping: float
 ) -> Mechanism:
     """Return the mechanism of a golfer and a club."""
     links = flexible.turn.shape[1]

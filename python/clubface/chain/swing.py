@@ -13,7 +13,7 @@ from jax.core import Tracer
 import clubface.jax
 from clubface.chain.attachment import attached_inputs
 from clubface.chain.flexible import flexible_shaft
-from clubface.chain.golfer import BY_JOINT, Golfer
+from clubface.chain.golfer import BY_JOINT, GolferBody
 from clubface.chain.mechanics import (
     GRAVITY,
     HeadMotion,
@@ -27,7 +27,7 @@ from clubface.chain.mechanics import (
 )
 from clubface.chain.mjcf import mjcf
 from clubface.equipment.attachment import added_inputs
-from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.balls import ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.shafts import Shaft, shaft as shaft_named
@@ -122,7 +122,7 @@ class Swing:
     shaft
         The same of a :class:`clubface.Shaft`; its grip is held by the hands.
     golfer
-        Left out, :meth:`Golfer.three_segments`, who swings in the plane of the lie of the shaft.
+        Left out, :meth:`GolferBody.three_segments`, who swings in the plane of the lie of the shaft.
     ball
         A built-in name, a file, or a :class:`clubface.Ball`.
     model
@@ -148,9 +148,9 @@ class Swing:
         self,
         club: str | os.PathLike[str] | Club = "driver",
         shaft: str | os.PathLike[str] | Shaft = "graphite",
-        golfer: Golfer | None = None,
+        golfer: GolferBody | None = None,
         *,
-        ball: str | os.PathLike[str] | Ball | None = None,
+        ball: Any = None,
         model: str = DEFAULT_MODEL,
         hands: float = 0.12,
         modes: int = 5,
@@ -165,7 +165,7 @@ class Swing:
         self.club, self.shaft, self.ball = club_named(club), shaft_named(shaft), ball_named(ball)
         if self.club.hand != 1:
             raise InputError("hand of the club", "left", "right: a left-hander is the mirror image")
-        self.golfer = Golfer.three_segments(lie=self.shaft.lie) if golfer is None else golfer
+        self.golfer = GolferBody.three_segments(lie=self.shaft.lie) if golfer is None else golfer
         self.model, self.hands, self.links, self.attached = model, hands, links, attached
         self.step, self.steps = step, round(duration / step)
         self.flexible = flexible_shaft(self.shaft, self.club, hands, links, modes)
