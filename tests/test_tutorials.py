@@ -11,6 +11,8 @@ from script_files import load_script
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 NEEDED = ("typer", "rich", "matplotlib", "pandas", "pyarrow", "ezc3d", "pymoo", "scipy")
+LIBRARIES = ("jax", "torch", "casadi", "mujoco")
+"""What only some pages use."""
 
 run_page = load_script("docs/run.py")
 
@@ -24,7 +26,7 @@ def check(page, folder, **options):
     text = page.read_text(encoding="utf-8")
     for module in (
         *NEEDED,
-        *(name for name in ("jax", "torch", "casadi", "mujoco") if f"import {name}" in text or f"clubface.{name}" in text),
+        *(each for each in LIBRARIES if f"import {each}" in text or f"clubface.{each}" in text),
     ):
         pytest.importorskip(module, reason=f"{module} is not installed")
     pytest.importorskip("matplotlib").use("agg")
