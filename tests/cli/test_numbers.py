@@ -27,6 +27,7 @@ ARGUMENTS = {
     "fem design": ("faster_face.toml",),
     "fem reference": (), "fem run": ("paper",), "fem sweep": (), "capture synthesize": ("-o", "swings"),
     "capture read": ("swing.c3d", "--markers", "markers.toml", "--club", "driver"), "capture study": (),
+    "export casadi": ("driver", "-o", "impact.c"),
     "study run": ("study.toml",), "studio": ("--site", "nowhere"),
 }  # fmt: skip
 """What a command needs beside the option; files that are not there are not missed, where nothing is read before."""

@@ -24,7 +24,7 @@ Source = Annotated[str, options.output("FILE", "Write it to this file. Required.
 
 
 @app.command()
-@options.takes(options.DELIVERY, options.EQUIPMENT, options.SHAFT, options.ONE_MODEL)
+@options.takes(options.DELIVERY, options.EQUIPMENT, options.SHAFT, options.ONE_SET)
 def inputs(club: options.ClubArgument, output: Source, **texts: Any) -> None:
     """Write the numbers of a shot in the order of the C interface, as CSV: kind, name, value and unit (SI)."""
     from clubface.export import inputs_csv
@@ -32,7 +32,11 @@ def inputs(club: options.ClubArgument, output: Source, **texts: Any) -> None:
 
     head = _head(club, texts)
     text = inputs_csv(
-        head, options.delivery(texts), model=texts["model"], parameters=options.one_set(head, texts), ball=texts["ball"]
+        head,
+        options.delivery(texts),
+        model=texts["model"],
+        parameters=options.one_set(head, {**texts, "accuracy": None}),
+        ball=texts["ball"],
     )
     print_written([write_text(output, text)])
 

@@ -170,6 +170,7 @@ _PARAMETERS: Group = {
 }
 _FITTED_MODEL = Annotated[str | None, option("--model", panel=_MODEL, metavar="NAME", text="The model. Required.")]
 ONE_MODEL: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_PARAMETERS}
+_NO_ACCURACY: Group = {name: each for name, each in _PARAMETERS.items() if name != "accuracy"}
 CONTACT_MODEL: Group = {
     "model": (
         Annotated[
@@ -177,8 +178,9 @@ CONTACT_MODEL: Group = {
         ],
         "volumetric",
     ),
-    **{name: each for name, each in _PARAMETERS.items() if name != "accuracy"},
+    **_NO_ACCURACY,
 }
+ONE_SET: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_NO_ACCURACY}
 FITTED_MODEL: Group = {"model": (_FITTED_MODEL, None), **_PARAMETERS}
 MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
 

@@ -274,7 +274,7 @@ class Ball:
                 "layers": piece.layers,
                 "law": piece.material.law,
                 "constants": list(piece.material.constants.values()),
-                "energy": piece.material.energy,
+                **({} if piece.material.energy is None else {"energy": piece.material.energy}),
                 "bulk": piece.material.bulk,
                 "maxwell": [(branch.modulus, branch.time) for branch in piece.material.maxwell],
                 "density": piece.material.density or 0.0,
