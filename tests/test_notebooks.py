@@ -45,7 +45,11 @@ def numbers(name, pattern):
     return [tuple(map(float, row if isinstance(row, tuple) else (row,))) for row in result]
 
 
-@pytest.mark.parametrize("name", NAMES)
+LONG = {"from-torques-to-carry"}
+"""Notebooks that take a minute of processor time; `make study` runs them."""
+
+
+@pytest.mark.parametrize("name", [pytest.param(each, marks=[pytest.mark.study] * (each in LONG)) for each in NAMES])
 def test_a_notebook_prints_what_it_holds(name):
     assert run.differences(stored(name), ran(name)) == []
 
@@ -105,6 +109,7 @@ def test_ones_own_law_keeps_momentum_and_energy_and_equals_the_built_in_one():
     assert peaks == sorted(peaks)
 
 
+@pytest.mark.study
 def test_timing_gains_carry_and_stiffness_changes_loft_more_than_speed():
     text = printed("from-torques-to-carry")
     assert text.count("agrees to a part in 10,000: True") == 3

@@ -165,6 +165,7 @@ def test_the_gradient_of_carry_is_that_of_central_differences(carry, gradient, v
             assert float(gradient[name][place]) == pytest.approx(difference, rel=2e-6), (name, place)
 
 
+@pytest.mark.study
 def test_forward_mode_gives_the_same_gradient(carry, gradient, values):
     tangent = {name: jnp.linspace(0.5, 1.0, len(value)) * value for name, value in values.items()}
     _, change = jax.jvp(carry, (values,), (tangent,))
