@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -145,14 +145,14 @@ def cost(interface: str, work: str, call: Callable[[np.ndarray], Any], rows: np.
     return Cost(interface, work, 1 if rows.ndim == 1 else len(rows), min(times), float(np.mean(result)))
 
 
-def main(file: str | None = None) -> None:
-    """Print what everything costs, and put it into a file."""
+def tabulate(costs_of: Callable[[str], Iterable[Cost]], file: str | None) -> None:
+    """Print what everything costs with each model, and put it into a file."""
     path = Path(file) if file else None
     content = json.loads(path.read_text()) if path is not None and path.exists() else {}
     for model in MODELS:
         print(f"{model:14} {'':14} {'shots':>5} {'ms':>9} {'result':>12}")
-        for each in costs(model):
-            print(f"{each.interface:14} {each.work:14} {each.shots:5} {each.seconds * 1e3:9.3f} {each.result:12.6f}")
+        for each in costs_of(model):
+            print(f"{each.interface:14} {each.work:14} {each.shots:5} {each.seconds * 1e3:9.4f} {each.result:12.6f}")
             entry = {"ms": float(f"{each.seconds * 1e3:.3g}"), "result": round(each.result, 6)}
             content[f"{model}, {each.interface}, {each.work}, {each.shots}"] = entry
     if path is not None:
@@ -160,4 +160,4 @@ def main(file: str | None = None) -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    tabulate(costs, sys.argv[1] if len(sys.argv) > 1 else None)

@@ -8,7 +8,6 @@ are those of ``array_libraries.py``. What is not installed is left out, and keep
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
@@ -19,7 +18,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
-from array_libraries import DRIVE, LOFT, MODELS, ONE, THOUSAND, WORK, Cost, cost, numpy_calls
+from array_libraries import DRIVE, LOFT, ONE, THOUSAND, WORK, Cost, cost, numpy_calls, tabulate
 
 from clubface.export import casadi_source, inputs_csv
 
@@ -120,19 +119,13 @@ def _read(interface: str, shots: int, line: str) -> Iterator[Cost]:
 
 def main(prefix: str, file: str | None = None) -> None:
     """Print what everything costs, and put it into a file."""
-    path = Path(file) if file else None
-    content = json.loads(path.read_text()) if path is not None and path.exists() else {}
-    for model in MODELS:
-        print(f"{model:14} {'':14} {'shots':>5} {'ms':>9} {'result':>12}")
+
+    def in_a_folder(model: str) -> Iterator[Cost]:
+        # Of its own: a library that has been loaded from a path is not loaded from it again.
         with tempfile.TemporaryDirectory() as folder:
-            for each in costs(model, Path(prefix).resolve(), Path(folder)):
-                print(
-                    f"{each.interface:14} {each.work:14} {each.shots:5} {each.seconds * 1e3:9.4f} {each.result:12.6f}"
-                )
-                entry = {"ms": float(f"{each.seconds * 1e3:.3g}"), "result": round(each.result, 6)}
-                content[f"{model}, {each.interface}, {each.work}, {each.shots}"] = entry
-    if path is not None:
-        path.write_text(json.dumps(content, indent=1) + "\n")
+            yield from costs(model, Path(prefix).resolve(), Path(folder))
+
+    tabulate(in_a_folder, file)
 
 
 if __name__ == "__main__":

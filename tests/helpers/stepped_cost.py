@@ -18,7 +18,7 @@ class Cost(NamedTuple):
 
     def within(self, *stated):
         """Whether each is what was stated to a factor of three: machines differ, and so does what else they do."""
-        return all(third < 3.0 * each and each < 3.0 * third for each, third in zip(self, stated, strict=True))
+        return all(each / 3.0 < measured < 3.0 * each for measured, each in zip(self, stated, strict=True))
 
 
 def _time(work, count):

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// Statuses, alike in both versions of the standard.
 pub(crate) const OK: i32 = 0;
 pub(crate) const ERROR: i32 = 3;
-/// A status that only version 2 has.
+/// The kind of unit that a master asks for.
 const CO_SIMULATION: i32 = 1;
 
 type Logger = unsafe extern "C" fn(*mut c_void, *const c_char, i32, *const c_char, *const c_char, ...);
@@ -53,7 +53,7 @@ unsafe fn log(logger: Option<Logger>, environment: *mut c_void, name: &CStr, mes
     }
 }
 
-/// Runs an operation of an instance; an error is told to the master.
+/// Runs an operation of an instance; an error goes to the master's log.
 unsafe fn with(component: *mut c_void, work: impl FnOnce(&mut Component) -> Outcome<()>) -> i32 {
     if component.is_null() {
         return ERROR;

@@ -21,7 +21,7 @@ unsafe fn log(logger: Option<Logger>, environment: *mut c_void, message: &str) {
     }
 }
 
-/// Runs an operation of an instance; an error is told to the master.
+/// Runs an operation of an instance; an error goes to the master's log.
 unsafe fn with(instance: *mut c_void, work: impl FnOnce(&mut Instance) -> Outcome<()>) -> i32 {
     if instance.is_null() {
         return ERROR;

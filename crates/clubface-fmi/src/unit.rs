@@ -64,7 +64,7 @@ const LOAD_NAMES: [&str; 8] =
 const BALL_NAMES: [&str; BODY] =
     ["ball_x", "ball_y", "ball_z", "ball_vx", "ball_vy", "ball_vz", "ball_wx", "ball_wy", "ball_wz"];
 
-/// What an operation of a unit returns when it fails: what a master is told.
+/// What an operation of a unit returns when it fails: the message for the master's log.
 pub type Outcome<T> = Result<T, String>;
 
 /// One instance.

@@ -135,7 +135,7 @@ class GolferBody:
 
         The three hinges are those of E. J. Sprigings and R. J. Neal (Journal of Applied Biomechanics 16, 356-366,
         2000). Bodies are those of a man of the given size by P. de Leva (Journal of Biomechanics 29, 1223-1230, 1996),
-        without the trail arm. The torques are no measurements: they make a driver swing of about 45 m/s.
+        without the trail arm. The torques are no measurements: they make a driver swing of about 41 m/s.
 
         Parameters
         ----------

@@ -32,13 +32,11 @@ from clubface.support.version import __version__
 
 VERSIONS = ("2.0", "3.0")
 STEP = 1e-5
-"""Step that a master may begin with [s]: the mean force over it costs 1e-5 of the launch."""
+"""Step that a master may begin with [s]: the mean force over it costs less than 1e-4 of the ball speed."""
 STOP = 0.01
 """Time that a simulation may end at [s] where its master does not know better."""
 EXCHANGED = ("club", "ball", "parameters")
 """Groups of inputs that are parameters of the unit; the delivery is what the master computes."""
-SHAPES = {"face_width", "face_height"}
-"""Inputs beyond which the face does not touch the ball."""
 BASE_UNITS = {
     "m": {"m": 1}, "m/s": {"m": 1, "s": -1}, "rad": {"rad": 1}, "rad/s": {"rad": 1, "s": -1}, "s": {"s": 1},
     "kg": {"kg": 1}, "kg m2": {"kg": 1, "m": 2}, "N": {"kg": 1, "m": 1, "s": -2}, "N m": {"kg": 1, "m": 2, "s": -2},

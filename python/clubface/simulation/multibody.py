@@ -19,6 +19,7 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Wording
 from clubface.simulation import core
 from clubface.simulation.inputs import prepare
+from clubface.simulation.pose import rotation_rows
 from clubface.simulation.results import outputs
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["BallMotion", "StepLoads", "SteppedContact", "StruckBall", "Wrench"]
 
 DEFAULT_MODEL = "volumetric"
-"""The contact model that is taken where none is named: the fastest of those that Caldwell and McPhee recommend."""
+"""The contact model that is taken where none is named."""
 SPEED = 1.0
 """A clubhead speed [m/s], which inputs must have and nothing here depends on."""
 PHASES = ("waiting", "contact", "launched")
@@ -315,7 +316,9 @@ def head_values(head: Pose | Any) -> list[float]:
     rotation, position, velocity, angular_velocity = head
     turn = _array(rotation, "rotation", units.DIMENSIONLESS)
     if turn.shape == (4,):
-        turn = rotation_matrix(turn)
+        if not turn.any():
+            raise InputError("rotation", Wording("a quaternion of length 0"), "one of any other length")
+        turn = np.array(rotation_rows(turn))
     if turn.shape != (3, 3):
         raise InputError("rotation", Wording(f"of shape {turn.shape}"), "of shape (3, 3), or a quaternion")
     return [*turn.ravel().tolist(), *_body(position, velocity, angular_velocity)]
@@ -324,22 +327,6 @@ def head_values(head: Pose | Any) -> list[float]:
 def ball_values(motion: BallMotion | Any) -> list[float]:
     """Return the 9 numbers by which the core knows a ball."""
     return _body(*BallMotion(*motion))
-
-
-def rotation_matrix(quaternion: NDArray[Any]) -> NDArray[Any]:
-    """Return the rotation of a quaternion of any length, real part first."""
-    w, x, y, z = quaternion.tolist()
-    length = w * w + x * x + y * y + z * z
-    if not length > 0.0:
-        raise InputError("rotation", Wording("a quaternion of length 0"), "one of any other length")
-    s = 2.0 / length
-    return np.array(
-        [
-            [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
-            [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
-            [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
-        ]
-    )
 
 
 def _body(position: Any, velocity: Any, angular_velocity: Any) -> list[float]:

@@ -112,7 +112,7 @@ def delivery_of_pose(
         As :func:`repeated`, for a library that compiles loops.
     """
     hand = head.hand
-    turn = _mirror_matrix(_matrix(pose.rotation), hand)
+    turn = _mirror_matrix(rotation_rows(pose.rotation), hand)
     velocity = _mirror(_components(pose.velocity), hand)
     spin = _mirror_spin(_components(pose.angular_velocity), hand)
     lever = _apply(turn, _mirror(_components(point), hand))
@@ -242,7 +242,7 @@ def _from_face(xp: Any, v: Vector, head: Head) -> Vector:
     return cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1], v[2]
 
 
-def _matrix(rotation: Any) -> Matrix:
+def rotation_rows(rotation: Any) -> Matrix:
     """Return the rows of a rotation that is given as a matrix or as a quaternion."""
     if rotation.shape[-1] == 3:
         return tuple(_components(rotation[..., row, :]) for row in range(3))  # pyright: ignore[reportReturnType]

@@ -280,24 +280,24 @@ fn a_prescribed_head_strikes_like_a_wall() {
     }
 }
 
-/// A head that passes beside the ball, or behind it, does not touch it, and one that has struck it does so once.
+/// A head that passes next to the ball, or behind it, does not touch it, and one that has struck it does so once.
 #[test]
 fn a_ball_is_struck_by_the_face_alone() {
     let inputs = played(Club::Driver);
     let parameters = published(VOLUMETRIC, Club::Driver);
     let (head, ball) = bodies(&inputs);
     let early = before(&head, 5e-3);
-    let aside = |distance: f64| {
+    let phase_at_offset = |distance: f64| {
         let mut given = early;
         given[11] += distance;
         let mut struck = StruckBall::new(VOLUMETRIC, &inputs.0, &parameters, &ball, true).unwrap();
         let loads = struck.advance(&given, 0.05).unwrap();
         (struck.phase(), loads.force.norm())
     };
-    assert_eq!(aside(0.0).0, Phase::Launched);
+    assert_eq!(phase_at_offset(0.0).0, Phase::Launched);
     // The face is 105 mm wide.
-    assert_eq!(aside(0.060), (Phase::Waiting, 0.0));
-    assert_eq!(aside(-0.060), (Phase::Waiting, 0.0));
+    assert_eq!(phase_at_offset(0.060), (Phase::Waiting, 0.0));
+    assert_eq!(phase_at_offset(-0.060), (Phase::Waiting, 0.0));
     // Backwards, from before the ball.
     let mut back = head;
     (12..15).for_each(|i| back[i] = -back[i]);
