@@ -36,7 +36,7 @@ def test_the_commands_of_the_readme_name_files_and_options_that_exist(clubface_)
     commands = [shlex.split(line, comments=True) for line in re.findall(r"^clubface .*$", text, re.MULTILINE)]
     assert len(commands) > 10
     for _, *words in commands:
-        nested = words[0] in ("monitor", "golfer", "club", "fem", "study")
+        nested = words[0] in ("monitor", "golfer", "club", "export", "fem", "study")
         help_text = clubface_(*words[: 1 + nested], "--help").out
         for word in words:
             if word.startswith("-"):

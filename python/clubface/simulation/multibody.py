@@ -116,7 +116,7 @@ class WrenchDerivatives(NamedTuple):
     Attributes
     ----------
     wrench, rates
-        Their values.
+        Their values; the rates [1/s of each state], shape (internal states,).
     wrench_derivatives
         A :class:`Wrench` whose values have a last axis more: the 21 numbers of motion and the internal states. Motion
         is position, small turn about the axes of the world [rad], velocity and angular velocity of the head, and
@@ -157,7 +157,7 @@ class SteppedContact:
         Of the internal states. States with an axis are in those of the face: x along its normal at the centre, y up, z
         towards the toe.
     initial
-        The internal states at first touch.
+        The internal states at first touch [SI], shape (internal states,).
 
     Raises
     ------
@@ -191,7 +191,10 @@ class SteppedContact:
             raise self._error(error) from None
 
     def evaluate(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> tuple[Wrench, Any]:
-        """Return what acts, and the rates of the internal states; a function of the arguments alone."""
+        """Return what acts now, and the rates of the internal states [SI], shape (internal states,).
+
+        A function of the arguments alone: head, ball and states as at the beginning, at any other instant.
+        """
         given = (
             head_values(head),
             ball_values(ball_motion),
