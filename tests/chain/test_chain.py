@@ -271,6 +271,19 @@ def test_mistakes_are_named(swing, values, message):
         swing.shot(**values)
 
 
+def test_the_shaft_begins_in_balance_with_its_weight(swing):
+    joints = len(swing.golfer.segments)
+    start = swing.motion().coordinates[0]
+
+    def pull(coordinates):
+        """Force on the coordinates of the shaft, which gravity and its springs make."""
+        rest = jnp.zeros_like(coordinates)
+        return jnp.linalg.norm(jax.grad(lambda q: swing.energy(q, rest)[1])(coordinates)[joints:])
+
+    # The balance is that of small bending, which misses a part in a hundred of the weight.
+    assert pull(start) < 0.02 * pull(start.at[joints:].set(0.0))
+
+
 def test_a_golfer_needs_a_value_for_each_joint():
     with pytest.raises(InputError, match="onset"):
         chain.GolferBody.three_segments(onset=(0.0, 0.1))
