@@ -36,10 +36,10 @@ from clubface.simulation.two_bodies import (
     Touch,
     TwoBodies,
     UnfinishedContactError,
-    checked_law,
-    course_of,
-    in_a_row,
-    outputs_of,
+    evaluate_law,
+    flatten_results,
+    launch_outputs,
+    sample_history,
 )
 from clubface.support.checks import check_text
 
@@ -193,7 +193,7 @@ class OwnLaw:
         """Call the law with plain numbers; return forces and rates of the states."""
         if not all(map(math.isfinite, touch)):
             return (math.nan,) * (3 + len(states))
-        return checked_law(
+        return evaluate_law(
             self.law, Touch._make(touch), self._named(values), dict(zip(self.states, states, strict=True))
         )
 
@@ -208,7 +208,7 @@ class OwnLaw:
         now = dict(zip(self.states, states, strict=True))
         try:
             given = (Touch._make(touch), self._named(values), *([now] if now else []))
-            returned = in_a_row(self.law(*given), now)
+            returned = flatten_results(self.law(*given), now)
         except (AttributeError, TypeError) as error:
             raise RunError(
                 f"the law of contact has no derivatives: {error}; use functions of NumPy, such as np.sqrt and np.tanh,"
@@ -287,7 +287,7 @@ class OwnLaw:
         solved = problems[0][1:] if problems else self._solve(inputs, parameters, accuracy)
         if isinstance(solved[0], str):
             raise ValueError(*solved)
-        return {**course_of(*solved), "launch": outputs_of(*solved)}
+        return {**sample_history(*solved), "launch": launch_outputs(*solved)}
 
     def notes(self) -> tuple[()]:
         """Return no note."""

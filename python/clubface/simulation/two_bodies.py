@@ -20,7 +20,7 @@ HISTORY_POINTS = 201
 """Times of a history, evenly spaced from first touch to separation."""
 
 
-def outputs_of(bodies: Any, solution: Any) -> NDArray[Any]:
+def launch_outputs(bodies: Any, solution: Any) -> NDArray[Any]:
     """Return the outputs of a contact in their order."""
     end = solution.y[:, -1]
     mirror, turned = np.array([1.0, 1.0, bodies.hand]), np.array([bodies.hand, bodies.hand, 1.0])
@@ -50,7 +50,7 @@ def _peak(bodies: Any, solution: Any) -> float:
     return max(steps[largest], -float(best.fun))  # pyright: ignore[reportAttributeAccessIssue]
 
 
-def course_of(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
+def sample_history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
     """Return the course of a contact under the names of :class:`clubface.History`."""
     time = np.linspace(0.0, solution.t[-1], HISTORY_POINTS)
     states = solution.sol(time).T
@@ -226,7 +226,7 @@ class TwoBodies:
         if not all(map(math.isfinite, touch)):
             raise UnfinishedContactError(TOO_STIFF)
         own = dict(zip(self.states, state[LAW:].tolist(), strict=True))
-        pressed, along_up, along_toe, *rates = checked_law(self.law, touch, self.values, own)
+        pressed, along_up, along_toe, *rates = evaluate_law(self.law, touch, self.values, own)
         self.has_pushed = self.has_pushed or pressed > 0.0
         pressed = max(pressed, 0.0)
         force = pressed * normal + along_up * up + along_toe * toe
@@ -335,14 +335,14 @@ MOST_ENERGY_ERROR = 1e-2
 FORCES = "a law must return three numbers: the normal force, and the friction up the face and towards the toe [N]"
 
 
-def checked_law(law: Law, touch: Touch, values: Mapping[str, float], states: Mapping[str, float]) -> tuple[float, ...]:
+def evaluate_law(law: Law, touch: Touch, values: Mapping[str, float], states: Mapping[str, float]) -> tuple[float, ...]:
     """Return the forces of a law and the rates of its states; refuse, each with its own sentence, what is no number."""
     try:
         returned = law(touch, values, states) if states else law(touch, values)
     except Exception as error:
         raise RunError(f"the law of contact fails at {touch}: {type(error).__name__}: {error}") from error
     try:
-        results = tuple(map(float, in_a_row(returned, states)))
+        results = tuple(map(float, flatten_results(returned, states)))
     except (TypeError, ValueError):
         what = "one number" if isinstance(returned, numbers.Real) else "no numbers"
         raise RunError(f"the law of contact returned {what}, {returned!r}; {FORCES}") from None
@@ -353,7 +353,7 @@ def checked_law(law: Law, touch: Touch, values: Mapping[str, float], states: Map
     return results
 
 
-def in_a_row(returned: Any, states: Mapping[str, Any]) -> Sequence[Any]:
+def flatten_results(returned: Any, states: Mapping[str, Any]) -> Sequence[Any]:
     """Return forces and rates, one after the other."""
     results = tuple(returned)
     if not states:
