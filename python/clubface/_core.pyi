@@ -47,7 +47,7 @@ def history(
     model: str, inputs: Sequence[float], parameters: Sequence[float], accuracy: float | None = None
 ) -> dict[str, NDArray[float64]]: ...
 
-class HeldContact:
+class ContactHandle:
     def __init__(
         self,
         model: str,
@@ -66,7 +66,7 @@ class HeldContact:
     def jacobian(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
     def commit(self, head: Sequence[float], ball: Sequence[float], internal: Sequence[float]) -> NDArray[float64]: ...
 
-class HeldLaw:
+class LawHandle:
     def __init__(
         self,
         call: Callable[[Any, Any, Any], Sequence[float]],
@@ -74,7 +74,7 @@ class HeldLaw:
         sizes: Sequence[float],
     ) -> None: ...
     @staticmethod
-    def at(address: int, complex_address: int, sizes: Sequence[float]) -> HeldLaw: ...
+    def at(address: int, complex_address: int, sizes: Sequence[float]) -> LawHandle: ...
     def impact(
         self, inputs: Sequence[float], parameters: Sequence[float], tolerance: float
     ) -> tuple[NDArray[float64] | None, str]: ...
@@ -82,7 +82,7 @@ class HeldLaw:
         self, inputs: Sequence[float], parameters: Sequence[float], variables: Sequence[int], tolerance: float
     ) -> tuple[tuple[NDArray[float64], NDArray[float64]] | None, str]: ...
 
-class HeldBall:
+class BallHandle:
     def __init__(
         self,
         model: str,

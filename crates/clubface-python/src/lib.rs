@@ -38,7 +38,7 @@ mod _core {
     #[pymodule_export]
     use crate::impact::{check, history, impact, sensitivities, sensitivity};
     #[pymodule_export]
-    use crate::multibody::{HeldBall, HeldContact};
+    use crate::multibody::{BallHandle, ContactHandle};
     #[pymodule_export]
-    use crate::own_law::HeldLaw;
+    use crate::own_law::LawHandle;
 }

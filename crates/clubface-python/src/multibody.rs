@@ -20,7 +20,7 @@ fn exactly<const N: usize>(values: &[f64], name: &'static str) -> PyResult<[f64;
 
 /// A contact between a head and a ball that the caller moves (see `clubface.SteppedContact`).
 #[pyclass(frozen)]
-pub struct HeldContact {
+pub struct ContactHandle {
     plain: Mutex<HeadContact<f64>>,
     differentiated: Mutex<HeadContact<Tangents>>,
 }
@@ -28,7 +28,7 @@ pub struct HeldContact {
 /// A place of head and ball, and the internal states.
 type Given = ([f64; HEAD], [f64; BODY], Vec<f64>);
 
-impl HeldContact {
+impl ContactHandle {
     fn given(&self, head: &[f64], ball: &[f64], internal: Vec<f64>) -> PyResult<Given> {
         let (head, ball) = (exactly(head, "head")?, exactly(ball, "ball")?);
         check_motion(&head, &ball).map_err(|e| value_error(&e))?;
@@ -46,7 +46,7 @@ fn lock<T>(held: &Mutex<T>) -> PyResult<std::sync::MutexGuard<'_, T>> {
 }
 
 #[pymethods]
-impl HeldContact {
+impl ContactHandle {
     #[new]
     #[allow(clippy::needless_pass_by_value)]
     fn new(
@@ -128,12 +128,12 @@ impl HeldContact {
 
 /// A ball that is moved through the contact with a head that the caller moves (see `clubface.StruckBall`).
 #[pyclass(frozen)]
-pub struct HeldBall {
+pub struct BallHandle {
     ball: Mutex<StruckBall>,
 }
 
 #[pymethods]
-impl HeldBall {
+impl BallHandle {
     #[new]
     #[allow(clippy::needless_pass_by_value)]
     fn new(

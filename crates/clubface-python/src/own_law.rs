@@ -35,7 +35,7 @@ enum Call {
 
 /// A law of contact (see `clubface.register_law`).
 #[pyclass(frozen)]
-pub struct HeldLaw {
+pub struct LawHandle {
     call: Call,
     /// Natural sizes of the states.
     sizes: Vec<f64>,
@@ -43,7 +43,7 @@ pub struct HeldLaw {
 
 /// A law with the values of its parameters, in one contact.
 struct Valued<'a, S> {
-    law: &'a HeldLaw,
+    law: &'a LawHandle,
     values: &'a [S],
     fault: &'a RefCell<Option<PyErr>>,
 }
@@ -157,7 +157,7 @@ impl OwnLaw<Tangents> for Valued<'_, Tangents> {
     }
 }
 
-impl HeldLaw {
+impl LawHandle {
     fn launch<S: Scalar>(
         &self,
         touch: &FirstTouch<S>,
@@ -193,7 +193,7 @@ fn function(address: usize) -> Option<Real> {
 }
 
 #[pymethods]
-impl HeldLaw {
+impl LawHandle {
     /// Of functions of tuples (touch, values, states), for real numbers and for numbers with derivatives.
     #[new]
     fn new(call: Py<PyAny>, dual_call: Py<PyAny>, sizes: Vec<f64>) -> Self {

@@ -1,9 +1,9 @@
 """What the compiled core computes of impacts and flights; the one place where this room names it."""
 
 from clubface._core import (
-    HeldBall as HeldBall,
-    HeldContact as HeldContact,
-    HeldLaw as HeldLaw,
+    BallHandle as BallHandle,
+    ContactHandle as ContactHandle,
+    LawHandle as LawHandle,
     curves as curves,
     flight_inputs as flight_inputs,
     flight_outputs as flight_outputs,

@@ -180,7 +180,7 @@ class SteppedContact:
         hand: Any = None,
     ) -> None:
         given, self._error = _prepared(model, club, ball, parameters, hand)
-        self._held = self._call(lambda: core.HeldContact(*given, head_values(head), ball_values(ball_motion)))
+        self._held = self._call(lambda: core.ContactHandle(*given, head_values(head), ball_values(ball_motion)))
         self.names = tuple(self._held.names)
         self.initial = self._held.initial
 
@@ -275,7 +275,7 @@ class StruckBall:
         given, self._error = _prepared(model, club, ball, parameters, hand)
         start = ball_values(BallMotion(position, velocity, angular_velocity))
         try:
-            self._held = core.HeldBall(*given, start, bool(head_gives_way))
+            self._held = core.BallHandle(*given, start, bool(head_gives_way))
         except ValueError as error:
             raise self._error(error) from None
 

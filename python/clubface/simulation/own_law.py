@@ -181,9 +181,9 @@ class OwnLaw:
         if address:
             self._compiled = law, complex_address  # kept alive
             self.law = _called_by_pointer(address, [each.name for each in model.parameters], [*sizes])
-            self._held = core.HeldLaw.at(address, complex_address, sized)
+            self._held = core.LawHandle.at(address, complex_address, sized)
         else:
-            self._held = core.HeldLaw(self._call, self._call_with_derivatives, sized)
+            self._held = core.LawHandle(self._call, self._call_with_derivatives, sized)
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
         """Return the ball as it is."""

@@ -164,7 +164,7 @@ impl<S: Scalar> Model<S> for Rings<S> {
 
     #[cfg(feature = "multibody")]
     fn stepped(&self, touch: &FirstTouch<S>) -> Option<Box<dyn SteppedContact<S>>> {
-        Some(stepped::<S, _, SLIDING>(touch, self.laid_out(touch).law))
+        Some(stepped::<S, _, SLIDING>(touch, self.lay_out(touch).law))
     }
 }
 
@@ -182,7 +182,7 @@ struct Layout<S> {
 impl<S: Scalar> Rings<S> {
     /// Rings that reach as far as the contact will.
     #[inline(always)]
-    fn laid_out(&self, touch: &FirstTouch<S>) -> Layout<S> {
+    fn lay_out(&self, touch: &FirstTouch<S>) -> Layout<S> {
         let speed = touch.approach();
         let curvature = touch.face.nearest(touch.contact - touch.lever).curvature;
         let equivalent = hertz::equivalent_radius(touch.ball.radius, curvature);
@@ -219,7 +219,7 @@ impl<S: Scalar> Rings<S> {
         accuracy: Accuracy,
         recorder: &mut R,
     ) -> Impact<S> {
-        let Layout { law, deepest, largest_depth, longest } = self.laid_out(touch);
+        let Layout { law, deepest, largest_depth, longest } = self.lay_out(touch);
         let contact = Contact::new(touch, law);
         let start = initial::<S, N>(touch);
         if R::ACTIVE {
