@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -220,6 +220,9 @@ fuzz: dev ## damaged files for every reader (COUNT=1000000, a night; or SECONDS=
 KILLS ?= 50
 kills: dev ## kill every long command at random moments (KILLS=50 each, or SECONDS=3600), resume it, compare the bytes
 	$(PYTHON) studies/kills.py $(KILLS) --seconds $(or $(SECONDS),inf)
+
+release: $(VENV)/.setup ## check that VERSION=0.2.0 is the same everywhere and nothing is left to commit, and set its tag
+	$(PYTHON) scripts/release.py "$(VERSION)"
 
 clean: ## remove everything that was built
 	rm -rf $(VENV) target out docs/_build studio/node_modules studio/generated studio/dist studio/screenshots .pytest_cache .ruff_cache .hypothesis .benchmarks

@@ -4,12 +4,12 @@ import re
 import sys
 import warnings
 from dataclasses import is_dataclass
-from importlib.metadata import version as installed_version
 from importlib.util import find_spec
 from pathlib import Path
 
 from clubface.errors import RangeWarning
 from clubface.schema import PhysicalValue, entries
+from clubface.support.version import __version__
 from clubface.units import SI_UNITS
 
 sys.path[:0] = [str(Path(__file__).parent / "_ext"), str(Path(__file__).parents[1] / "studies")]
@@ -18,7 +18,7 @@ warnings.simplefilter("ignore", RangeWarning)  # the pages compare models beyond
 project = "clubface"
 author = "The clubface authors"
 copyright = author
-version = release = installed_version("clubface")
+version = release = __version__
 
 extensions = [
     "myst_parser",
