@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -94,6 +94,20 @@ check: dev $(STUDIO_CHECKED) ## formatting, lints, types, documentation
 docs: dev ## the documentation as web pages in docs/_build
 	$(BIN)/sphinx-build -W --keep-going -q docs docs/_build
 	@echo "docs/_build/index.html"
+
+SITE := out/site
+site: dev studio-build ## documentation and studio as one site in out/site, for servers and from files, without a network
+	rm -rf $(SITE)
+	mkdir -p $(SITE)
+	cp -r studio/dist $(SITE)/studio
+	npm --prefix studio run --silent build-from-file -- --outDir $(CURDIR)/$(SITE)/studio
+	npm --prefix studio run --silent build-live -- --outDir $(CURDIR)/$(SITE)/studio
+	$(BIN)/sphinx-build -W --keep-going -q -t site -d out/site-doctrees docs $(SITE)
+	@echo "$(SITE)/index.html"
+
+site-test: site ## every page of the site opened from its file in Chromium, as on a phone and on a desk, and the studio
+	@scripts/find-browser.sh >/dev/null
+	$(BROWSER) npm --prefix studio run --silent site-test
 
 notebooks: dev ## run the notebooks again and store what they print and draw
 	$(PYTHON) notebooks/run.py --update

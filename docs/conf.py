@@ -35,6 +35,7 @@ extensions = [
     "page_figures",
     "pictures",
     "published_tables",
+    "site_parts",
     "validation_tables",
 ]
 exclude_patterns = ["_build"]
@@ -43,6 +44,7 @@ html_title = f"clubface {release}"
 html_math_renderer = "mathml"
 html_static_path = ["_static"]
 html_css_files = ["clubface.css"]
+html_js_files = ["from-files.js"]
 
 myst_enable_extensions = ["amsmath", "attrs_block", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 4

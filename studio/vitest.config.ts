@@ -2,9 +2,8 @@ import { mergeConfig } from "vite";
 import { defineConfig } from "vitest/config";
 import site from "./vite.config.ts";
 
-export default mergeConfig(
-  site,
-  defineConfig({
+export default defineConfig((environment) =>
+  mergeConfig(site(environment), {
     test: {
       include: ["tests/**/*.test.ts", "tests/screenshots/*.ts"],
       fileParallelism: true,

@@ -29,6 +29,11 @@ def test_pages_that_hold_all_they_need_have_no_problem(problems, site):
     assert list(problems(site)) == []
 
 
+def test_a_link_may_hold_what_the_page_shows(problems, site):
+    (site / "b.html").write_text('<a href="a.html#club=driver&speed=105mph">a drive</a>', encoding="utf-8")
+    assert list(problems(site)) == []
+
+
 @pytest.mark.parametrize(
     ("markup", "address"),
     [

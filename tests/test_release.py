@@ -1,6 +1,5 @@
 """``make release``: one version everywhere, or no tag."""
 
-import importlib.util
 import shutil
 import subprocess
 from pathlib import Path
@@ -8,13 +7,10 @@ from pathlib import Path
 import pytest
 
 from clubface import __version__
+from script_files import load_script
 
 ROOT = Path(__file__).parents[1]
-SPECIFICATION = importlib.util.spec_from_file_location("release", ROOT / "scripts" / "release.py")
-assert SPECIFICATION is not None
-assert SPECIFICATION.loader is not None
-release = importlib.util.module_from_spec(SPECIFICATION)
-SPECIFICATION.loader.exec_module(release)
+release = load_script("scripts/release.py")
 
 STATED = [
     "Cargo.toml", "Cargo.lock", "pyproject.toml", "python/clubface/support/version.py", "CITATION.cff", "CHANGELOG.md",

@@ -1,7 +1,6 @@
 """Draw the pictures on the cards of the front page, each for the size at which it is shown; writes card-*.svg."""
 
 import tempfile
-import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,15 +9,11 @@ import matplotlib
 matplotlib.use("agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from impact import draw_section, struck
 
 import clubface
 from clubface.capture import read_c3d, synthetic
-from clubface.errors import RangeWarning, RuleWarning
-from clubface.fem.section_picture import Section
 from clubface.present.style import COLOURS
 from clubface.units import from_si, to_si
-from clubface.validation import benchmark_data
 
 SIZE = (2.5, 1.5)
 """Inches at 96 dots: the width of a card where three stand in a row."""
@@ -46,17 +41,6 @@ def shot(axes: plt.Axes) -> None:
         axes.plot(path[:, 0], path[:, 1], color=colour, label=club.replace("-", " "))
     axes.set(xlabel="carry (yd)", ylabel="height (yd)", xlim=(0, None), ylim=(0, 62))
     axes.legend(fontsize=7, ncols=3, handlelength=1, columnspacing=0.8, loc="upper center", borderpad=0)
-
-
-def launch_monitor(axes: plt.Axes) -> None:
-    """Draw measured against computed spin of the benchmark's shots with a driver."""
-    shots = benchmark_data.load("driver")
-    launches = clubface.impact(shots.head, shots.measured.deliveries, model="slip", ball="published")
-    computed = launches.get("backspin", "rpm")
-    measured = from_si(shots.measured.launches["backspin"], "rpm")
-    axes.plot([1500, 5000], [1500, 5000], color="0.6", linewidth=1)
-    axes.plot(computed, measured, ".", color=BLUE, markersize=2.5, alpha=0.6)
-    axes.set(xlabel="computed spin (rpm)", ylabel="measured", xlim=(1500, 5000), ylim=(1500, 5000))
 
 
 def motion_capture(axes: plt.Axes) -> None:
@@ -104,23 +88,6 @@ def fitting(axes: plt.Axes) -> None:
     axes.set(xlabel="dynamic loft (°)", ylabel="carry (yd)", xlim=(7.5, 25))
 
 
-def faster_face(axes: plt.Axes) -> None:
-    """Draw ball and driver in section by finite elements, at the greatest force."""
-    impact = struck()
-    section = Section(impact)
-    moment = impact.contact["time"][np.argmax(impact.contact["normal"])]
-    draw_section(axes, section, int(np.argmin(abs(section.times - moment))))
-    axes.set_title("")
-
-
-def spread(axes: plt.Axes) -> None:
-    """Draw the landings of a golfer of handicap 10."""
-    shots = clubface.dispersion(clubface.golfer("handicap-10-driver"), count=1024)
-    carry, side = from_si(shots.points.T, "yd")
-    axes.plot(side, carry, ".", color=BLUE, markersize=2, alpha=0.5)
-    axes.set(xlabel="right of the target (yd)", ylabel="carry (yd)")
-
-
 def study(axes: plt.Axes) -> None:
     """Draw mean and spread of the carry along loft over many speeds and attack angles."""
     rng = np.random.default_rng(1)
@@ -137,21 +104,16 @@ def study(axes: plt.Axes) -> None:
 
 CARDS: dict[str, Callable[[plt.Axes], None]] = {
     "shot": shot,
-    "launch-monitor": launch_monitor,
     "motion-capture": motion_capture,
     "design": design,
     "contact": contact,
     "fitting": fitting,
-    "faster-face": faster_face,
-    "spread": spread,
     "study": study,
 }
 
 
 def main() -> None:
     """Draw every card."""
-    warnings.simplefilter("ignore", RuleWarning)  # the published ball is smaller than the rules allow
-    warnings.simplefilter("ignore", RangeWarning)  # 2 of the 550 shots are faster than those of the model's source
     for name, draw in CARDS.items():
         with plt.rc_context(SETTINGS):
             figure, axes = plt.subplots(figsize=SIZE, layout="constrained")

@@ -5,6 +5,7 @@ import { compute, type Input, type Kind, type Output } from "./computations";
 import { fetchFile } from "./fetch-file";
 import type { Reply, Request } from "./messages";
 import type { Description } from "./types";
+import CoreWorker from "./worker?worker";
 
 /** Files of the core that a worker may hold: shots and all that is quick, or finite elements as well. */
 export type CoreFile = "shots" | "elements";
@@ -112,7 +113,7 @@ class WorkerLane {
   ) {}
 
   start(): void {
-    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+    const worker = new CoreWorker();
     this.worker = worker;
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.receive(data);
     worker.onerror = (event) => this.receive({ kind: "broken", slot: null, message: event.message || "no worker" });
