@@ -487,7 +487,7 @@ def design() -> None:
         print_figures(row["metal"], mph=clubface.units.from_si(row["ball_speed_mps"], "mph"))
     print_figures("shot", **{model: shot("ball_speed", "mph", model=model) for model in ("response", "fem")})
     study = shells.read(example)
-    metal = next(each for each in study.metals if each.name == found("metal"))
+    metal = next(each for each in study.choices if each.name == found("metal"))
     promised = FastModel(study)(study.at(study.start(), metal))
     for quantity in ("characteristic_time", "stress"):
         unit = {"characteristic_time": "us", "stress": "MPa"}[quantity]

@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from clubface.errors import MeshWarning
+
 EXAMPLES = Path(__file__).parent.parent / "examples"
 
 
@@ -108,6 +110,17 @@ def test_a_study_of_a_faster_face_is_that_of_its_page():
     page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
     # The page shows the file, all but its first two lines.
     assert "".join((EXAMPLES / "faster_face.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
+
+
+def test_a_study_of_a_mesh_is_that_of_its_page():
+    from clubface.design import shells
+
+    with pytest.warns(MeshWarning, match="inertia"):
+        study = shells.read(EXAMPLES / "own_walls.toml")
+    assert [choice.name for choice in study.choices] == ["face of Ti-6Al-4V", "face of maraging steel"]
+    page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
+    # The page shows the file, all but its first two lines.
+    assert "".join((EXAMPLES / "own_walls.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
 
 
 @pytest.mark.parametrize(("name", "page"), [("fitting", "optimisation"), ("lofts", "studies")])

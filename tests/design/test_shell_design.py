@@ -14,7 +14,7 @@ from clubface.design.shells import engine as engine_module, engine as fast_modul
 from clubface.design.shells.engine import Engine, FastModel, face_radius, plate_stress, plate_time, rigid_values
 from clubface.errors import FileError, InputError, RunError
 from clubface.fem.head_tests import characteristic_time
-from clubface.fem.heads import DriverHead, driver as driver_file
+from clubface.fem.heads import DriverHead, ShellHead, driver as driver_file
 from clubface.fem.heads.read import from_text
 from clubface.fem.stress import peak_stress
 from fem_runs import coarse
@@ -67,19 +67,20 @@ def fastest():
 
 
 def test_the_plate_is_as_stiff_and_as_stressed_as_a_clamped_one(monkeypatch):
-    head = driver()
+    head, family = driver(), study().family
     mesh = head.mesh()
     thin = replace(head, thickness={**head.thickness, "face_centre": 1.7e-3, "face_edge": 1.3e-3})
     # Bending: stiffness goes with the cube of the thickness, stress with its square.
-    assert plate_time(thin, mesh) == pytest.approx(plate_time(head, mesh) * 2.0**1.5)
-    assert plate_stress(thin, mesh, 1e4) == pytest.approx(4.0 * plate_stress(head, mesh, 1e4))
+    wall, half = (family.face_wall(each, mesh, "face") for each in (head, thin))
+    assert plate_time(half, mesh) == pytest.approx(plate_time(wall, mesh) * 2.0**1.5)
+    assert plate_stress(half, mesh, 1e4) == pytest.approx(4.0 * plate_stress(wall, mesh, 1e4))
     # A force over the whole plate is a pressure: M = (1 + nu) q a^2 / 16 in the middle of a clamped plate.
     radius = face_radius(mesh)
     monkeypatch.setattr(fast_module, "PATCH", radius)
     pressure = 1e6
     moment = (1.0 + head.metal.poisson) * pressure * radius**2 / 16.0
     expected = 6.0 * moment / head.thickness["face_centre"] ** 2
-    assert plate_stress(head, mesh, pressure * math.pi * radius**2) == pytest.approx(expected)
+    assert plate_stress(wall, mesh, pressure * math.pi * radius**2) == pytest.approx(expected)
 
 
 def test_a_box_has_its_volume_and_size():
@@ -87,13 +88,16 @@ def test_a_box_has_its_volume_and_size():
     quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
     box = SimpleNamespace(
         nodes=corners, quads=quads, thickness=np.full(6, 0.01), added=np.array([0.5]),
-        club=SimpleNamespace(mass=2.0, iyy=1.0),
+        club=SimpleNamespace(mass=2.0, iyy=1.0, cg_x=-0.4, cg_y=-1.1, cg_z=-1.2),
     )  # fmt: skip
+    box.volume = ShellHead.volume.fget(box)  # pyright: ignore[reportOptionalCall]
     result = rigid_values(box)  # pyright: ignore[reportArgumentType]
     # Half a wall is outside of the middle surface, of 22 m2.
     assert result["volume"] == pytest.approx(6.0 + 22.0 * 0.005)
     assert (result["heel_to_toe"], result["sole_to_crown"]) == pytest.approx((3.01, 2.01))
     assert result["wall_mass"] == pytest.approx(1.5)
+    # The CG is at 0.4, 1.1, 1.2; half a wall lies below and at the heel.
+    assert (result["cg_height"], result["cg_from_heel"]) == pytest.approx((1.105, 1.205))
 
 
 def test_the_rules_bind_the_fastest_face(fastest):
@@ -117,7 +121,7 @@ def test_no_face_of_a_grid_is_better():
     result = shells.improve(asked)
     goal, run = result.chosen.goal, Engine(asked, None, None)
     places = [np.array([x, y]) for x in np.linspace(0.0, 1.0, 11) for y in np.linspace(0.0, 1.0, 9)]
-    judged = run([asked.at(place, asked.metals[0]) for place in places])
+    judged = run([asked.at(place, asked.choices[0]) for place in places])
     within = [values for values in judged if goal.violation(values) == 0.0]
     assert 10 < len(within) < 90
     best = max(values["ball_speed"] for values in within)
@@ -284,7 +288,7 @@ def test_a_file_is_read(tmp_path):
     assert result.hardest is not None
     assert result.hardest.points == result.delivery.points
     assert result.hardest.delivery["speed"] == pytest.approx(53.6448)
-    goal = result.goal(result.metals[0])
+    goal = result.goal(result.choices[0])
     assert goal.limits["stress"] == (0.0, pytest.approx(1100e6 / 1.2))
     assert goal.limits["characteristic_time"] == (0.0, pytest.approx(257e-6))
     assert goal.limits["mass"] == (0.0, pytest.approx(0.205))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
+from clubface.design.shells.metals import MetalChoice, NamedMetal
 from clubface.design.shells.run import improve
-from clubface.design.shells.study import Blow, NamedMetal, ShellStudy, read
+from clubface.design.shells.study import Blow, ShellStudy, read
 
-__all__ = ["Blow", "NamedMetal", "ShellStudy", "improve", "read"]
+__all__ = ["Blow", "MetalChoice", "NamedMetal", "ShellStudy", "improve", "read"]

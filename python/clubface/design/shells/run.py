@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from clubface.design.shells.engine import Engine, FastModel
+from clubface.design.shells.families import Head
 from clubface.design.shells.goal import Goal
-from clubface.design.shells.study import NamedMetal, ShellStudy, design_quantity, read
+from clubface.design.shells.metals import MetalChoice
+from clubface.design.shells.study import ShellStudy, design_quantity, read
 from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
-from clubface.errors import RangeWarning, RunError, TargetWarning
-from clubface.fem.heads import driver
-from clubface.fem.heads.driver import DriverHead
+from clubface.errors import MeshWarning, RangeWarning, RunError, TargetWarning
 from clubface.fem.heads.read import from_text
 from clubface.jobs.store import store_for
 from clubface.quantities import format_value
 from clubface.results.result import Described, Result
 from clubface.support.checks import without_warnings
+from clubface.support.files import recorded
 
 
 def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float]) -> str:
@@ -38,9 +39,9 @@ def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float
 
 @dataclass(frozen=True, kw_only=True)
 class Search:
-    """The search for the best head of one metal: the metal, its goal, and what was found."""
+    """The search for the best head of one choice of metals: the choice, its goal, and what was found."""
 
-    metal: NamedMetal
+    metal: MetalChoice
     goal: Goal
     result: SearchResult
 
@@ -69,11 +70,11 @@ class Improved(Described):
     study
         The study.
     searches
-        One for every metal.
+        One for every choice of metals.
     chosen
         The search with the best head.
     head
-        The best head, as in its file: of the metal with its yield stress.
+        The best head, as in its file: of metals with their yield stress.
     runs
         Number of finite element runs that judged the designs.
     """
@@ -81,13 +82,12 @@ class Improved(Described):
     study: ShellStudy
     searches: tuple[Search, ...]
     chosen: Search
-    head: DriverHead
+    head: Head
     runs: int
 
     def best_value(self, name: str) -> float:
         """Return a variable of the best head as its file has it [SI]."""
-        table, key = name.split(".")
-        return getattr(self.head, table)[key]
+        return self.study.family.value(self.head, name)
 
     def to_result(self) -> Result:
         """Return the best head, its limits and all designs as a result."""
@@ -96,6 +96,7 @@ class Improved(Described):
         return search_result(self)
 
 
+@recorded
 def improve(
     study: ShellStudy | str | os.PathLike[str],
     *,
@@ -131,11 +132,12 @@ def improve(
     with (
         without_warnings(TargetWarning),
         without_warnings(RangeWarning),
-        store_for(output, {"study": study}, resume=resume) as kept,
+        without_warnings(MeshWarning),
+        store_for(output, {"study": study, **study.family.files()}, resume=resume) as kept,
     ):
         engine, fast = Engine(study, kept, workers), FastModel(study)
         searches = tuple(
-            _search(study, metal, engine, fast, progress, number) for number, metal in enumerate(study.metals)
+            _search(study, metal, engine, fast, progress, number) for number, metal in enumerate(study.choices)
         )
         chosen = searches[0]
         for each in searches[1:]:
@@ -147,32 +149,32 @@ def improve(
             raise RunError(
                 f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {advice}"
             )
-        judged = design_of(study, chosen.best, chosen.metal)
-        head = replace(judged, metal=chosen.metal.metal)
+        head = study.family.finish(design_of(study, chosen.best, chosen.metal), chosen.metal)
         if output is not None:
             # The models that take the head as rigid learn from this line how its face gives.
-            text = driver.text(head, characteristic_time=chosen.best.values["characteristic_time"])
+            time = chosen.best.values["characteristic_time"]
+            text = study.family.text(head, characteristic_time=time, folder=Path(output).parent)
             kept.write_result(Path(output), lambda file: file.write(text.encode()))
             kept.remove()
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
 
 
-def design_of(study: ShellStudy, step: Step, metal: NamedMetal) -> DriverHead:
-    """Return the head that was judged in a step, of a metal that stays elastic."""
-    return as_written(study.at(np.array(step.place), metal))
+def design_of(study: ShellStudy, step: Step, metal: MetalChoice) -> Head:
+    """Return the head that was judged in a step, of metals that stay elastic."""
+    return as_written(study, study.at(np.array(step.place), metal))
 
 
-def as_written(design: DriverHead) -> DriverHead:
+def as_written(study: ShellStudy, design: Head) -> Head:
     """Return a head as its file has it, so that what is judged is what is written."""
-    made = from_text(driver.text(design))
-    assert isinstance(made, DriverHead)
+    made = from_text(study.family.text(design))
+    assert isinstance(made, Head)
     return made
 
 
 def _search(
-    study: ShellStudy, metal: NamedMetal, engine: Engine, fast: FastModel, progress: Any, number: int
+    study: ShellStudy, metal: MetalChoice, engine: Engine, fast: FastModel, progress: Any, number: int
 ) -> Search:
-    goal, whole = study.goal(metal), study.designs * len(study.metals)
+    goal, whole = study.goal(metal), study.designs * len(study.choices)
 
     def count(done: int, _: int) -> None:
         if progress is not None:
@@ -181,7 +183,7 @@ def _search(
     try:
         result = trust_region_search(
             lambda place: fast(study.at(place, metal)),
-            lambda places: engine([as_written(study.at(place, metal)) for place in places]),
+            lambda places: engine([as_written(study, study.at(place, metal)) for place in places]),
             study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, progress=count,
         )  # fmt: skip
     except RunError as error:

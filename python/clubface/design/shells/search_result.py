@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +11,6 @@ import numpy as np
 from clubface import units
 from clubface.design.optimisation.advice import is_at_an_end
 from clubface.design.shells.study import QUANTITIES, design_quantity
-from clubface.fem.heads import driver
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.provenance import Provenance
@@ -20,7 +19,8 @@ from clubface.results.table import Column, Table, column, text
 from clubface.simulation.provenance import flight_conditions
 
 if TYPE_CHECKING:
-    from clubface.design.shells.run import Improved
+    from clubface.design.shells.run import Improved, Search
+    from clubface.design.shells.study import ShellStudy
     from clubface.design.shells.trust_region import Step
 
 SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
@@ -35,10 +35,8 @@ def search_result(improved: Improved) -> Result:
     tables += [_metals_table(improved, printed=several), _designs_table(improved)]
     provenance = Provenance(
         inputs={"runs of finite elements": str(improved.runs), **flight_conditions()},
-        sources=tuple(
-            f"Metal {each.metal.name}: {each.metal.source}" for each in improved.searches if each.metal.source
-        ),
-        descriptions={"the-best-head.toml": driver.text(improved.head)},
+        sources=tuple(f"Metal {each.name}: {each.source}" for each in improved.study.metals if each.source),
+        descriptions={"the-best-head.toml": improved.study.family.text(improved.head)},
     )
     return Result(
         kind="shell-design", title=improved.study.title, tables=tuple(tables),
@@ -51,11 +49,17 @@ def search_result(improved: Improved) -> Result:
     )  # fmt: skip
 
 
+def ordered(names: Iterable[str]) -> list[str]:
+    """Return names of quantities in the order of ``QUANTITIES``."""
+    places = list(QUANTITIES)
+    return sorted(dict.fromkeys(names), key=lambda name: places.index(name.partition(".")[0]))
+
+
 def _best_table(improved: Improved) -> Table:
     """Return variables and quantities of the head to start from and of the best one."""
     start, best = improved.chosen.start.values, improved.chosen.best.values
     rows = [(name, improved.study.start_value(name), improved.best_value(name)) for name in improved.study.bounds]
-    rows += [(name, start[name], best[name]) for name in QUANTITIES if name in best]
+    rows += [(name, start[name], best[name]) for name in ordered(best)]
     kinds = [design_quantity(name) for name, _, _ in rows]
     columns = (
         text("quantity", [name for name, _, _ in rows], printed=False),
@@ -97,15 +101,30 @@ def _metals_table(improved: Improved, *, printed: bool) -> Table:
     columns = (
         text("metal", [each.metal.name for each in improved.searches]),
         column(
-            "yield_stress", [each.metal.metal.yield_stress for each in improved.searches], "Pa", unit="MPa", digits=0
+            "yield_stress",
+            [_least_yield(improved.study, each) for each in improved.searches],
+            "Pa",
+            unit="MPa",
+            digits=0,
         ),
         Column(objective.name, [each.best.values[objective.name] for each in improved.searches], objective),
         text("within", [each.within for each in improved.searches], label="within limits"),
         text("designs", [len(each.result.steps) for each in improved.searches]),
         text("ended", [each.result.ended for each in improved.searches], printed=False),
-        text("source", [each.metal.source for each in improved.searches]),
+        text("source", [_sources(each) for each in improved.searches]),
     )
     return Table("metals", columns, "The best head of each metal", printed=printed)
+
+
+def _least_yield(study: ShellStudy, search: Search) -> float | None:
+    """Return the least yield stress of the face; None where none is given."""
+    metals = [study.family.metal(part.name, search.metal)[1] for part in study.family.start.parts if part.face]
+    return min((each.yield_stress for each in metals if each.yield_stress is not None), default=None)
+
+
+def _sources(search: Search) -> str:
+    metals = search.metal.metals.values()
+    return "; ".join(dict.fromkeys(each.source for each in metals if each.source))
 
 
 def _designs_table(improved: Improved) -> Table:
@@ -117,7 +136,7 @@ def _designs_table(improved: Improved) -> Table:
     def values(key: str, name: str) -> list[float | None]:
         return [(getattr(step, key) or {}).get(name) for _, _, step in steps]
 
-    known = [name for name in QUANTITIES if any(name in step.values for _, _, step in steps)]
+    known = ordered(name for _, _, step in steps for name in step.values)
     other = [(key, name) for key in ("values", "promised") for name in known if name != objective]
     columns = (
         text("metal", [search.metal.name for search, _, _ in steps], printed=False),
@@ -149,8 +168,8 @@ def _verdict_of(step: Step) -> str:
 
 def _summary(improved: Improved) -> Iterator[Note]:
     start, best = improved.chosen.start.values, improved.chosen.best.values
-    for name in dict.fromkeys((improved.study.objective, "characteristic_time", "stress", "mass")):
-        if name in best:
+    for shown in dict.fromkeys((improved.study.objective, "characteristic_time", "stress", "mass")):
+        for name in (each for each in ordered(best) if each.partition(".")[0] == shown):
             kind = design_quantity(name)
             before, after = (units.fixed(each[name], kind.golf.unit, kind.golf.digits) for each in (start, best))
             if before != after:
@@ -167,6 +186,8 @@ def _notes(improved: Improved) -> Iterator[Note]:
         yield note("shells-at-an-end", names=ends)
     if improved.study.hardest is not None:
         yield note("shells-stress")
+    if improved.study.rules and improved.study.family.start.volume is None:
+        yield note("shells-open")
 
 
 def search_picture(improved: Improved) -> Picture:

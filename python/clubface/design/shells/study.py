@@ -3,12 +3,12 @@
 A study::
 
     title = "A face within the rules"
-    head = "driver.toml"                 # a driver of walls, next to this file
+    head = "./driver.toml"               # a driver from dimensions or a mesh of shells, next to this file
     objective = "ball_speed"             # or carry, characteristic_time, wall_mass (the least)
     safety = 1.1                         # factor that divides the yield stress
 
     [variables.thickness]
-    face_centre = ["2.4 mm", "4.2 mm"]
+    face_centre = ["2.4 mm", "4.2 mm"]   # of a mesh: a group
 
     [delivery]                           # or golfer = "average-driver" and points alone
     speed = "100 mph"
@@ -35,7 +35,8 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -43,13 +44,16 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of
+from clubface.design.shells.families import Family, Head, face_parts, family_of
 from clubface.design.shells.goal import Goal
+from clubface.design.shells.metals import MetalChoice, NamedMetal, metal_choices
 from clubface.equipment.rules import rules_of
 from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of
-from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
+from clubface.fem.heads.driver import SHAPE, DriverHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.read import FOLDER, from_toml
+from clubface.fem.heads.read import FOLDER, from_toml, head as meshed
+from clubface.fem.heads.user_mesh import MeshHead
 from clubface.quantities import Quantity, Reading
 from clubface.schema.document import Document
 from clubface.schema.place import Place
@@ -72,8 +76,6 @@ from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSI
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
 from clubface.support.files import path_of
 
-SCALED = ("crown", "sole", "skirt")
-"""Walls that a head makes thicker or thinner to meet its mass, unless they are variables."""
 QUANTITIES = {
     "ball_speed": ("mean ball speed", "speed", "mph"),
     "carry": ("mean carry", "length", "yd"),
@@ -82,6 +84,9 @@ QUANTITIES = {
     "mass": ("mass of the head", "mass", "g"),
     "wall_mass": ("mass of its walls", "mass", "g"),
     "moment_of_inertia": ("inertia about the vertical", "inertia", "g cm2"),
+    "cg_depth": ("CG behind the face centre", "length", "mm"),
+    "cg_height": ("CG above the lowest point", "length", "mm"),
+    "cg_from_heel": ("CG from the heel", "length", "mm"),
     "volume": ("volume", "volume", "cm3"),
     "heel_to_toe": ("heel to toe", "length", "mm"),
     "sole_to_crown": ("sole to crown", "length", "mm"),
@@ -93,26 +98,23 @@ OBJECTIVES = {"ball_speed": True, "carry": True, "characteristic_time": True, "w
 """What may be best, and whether it shall be large."""
 
 
+def unit_of(variable: str) -> str:
+    """Return the unit that people write a variable in."""
+    return "deg" if variable == "shape.loft" else "g" if variable.startswith("masses.") else "mm"
+
+
 def design_quantity(name: str) -> Quantity:
     """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
-    if name in QUANTITIES:
-        label, _, unit = QUANTITIES[name]
+    table, _, key = name.partition(".")
+    if table in QUANTITIES:
+        label, _, unit = QUANTITIES[table]
+        label = f"greatest stress in {key}" if key else label
     else:
-        table, key = name.split(".")
         label = f"{key.replace('_', ' ')}{' wall' if table == 'thickness' and 'face' not in key else ''}"
-        unit = "deg" if name == "shape.loft" else "mm"
+        unit = unit_of(name)
     reading = Reading(unit, DIGITS[unit])
     metric = Reading({"mph": "m/s", "yd": "m"}.get(unit, unit), reading.digits)
     return Quantity(name, units.SI_UNITS[units.unit(unit).dimension], metric, reading, label)
-
-
-@dataclass(frozen=True, kw_only=True)
-class NamedMetal:
-    """A metal by name, with where its figures are from."""
-
-    name: str
-    metal: Metal
-    source: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,10 +138,12 @@ class ShellStudy:
     title
         Its name in tables.
     head
-        The driver to start from.
+        The head to start from: a driver from dimensions, or a mesh of shells.
     bounds
-        The least and the greatest value [SI] of walls and dimensions, under the names of :class:`.DriverHead` with
-        their table, such as "thickness.face_centre". Crown, sole and skirt that vary are not scaled to meet the mass.
+        The least and the greatest value [SI] of what varies, under its name with that of its table. Of a driver these
+        are walls and dimensions of :class:`.DriverHead`, such as "thickness.face_centre"; crown, sole and skirt that
+        vary are not scaled to meet the mass. Of a mesh they are the thickness of groups, such as "thickness.face", and
+        added masses, such as "masses.weight".
     objective
         One of :data:`OBJECTIVES`.
     delivery
@@ -147,7 +151,7 @@ class ShellStudy:
     hardest
         The hardest blow, whose stress the face must stand; None to leave the stress out.
     metals
-        The metals to choose from; without any, that of the head.
+        The metals to choose from, of a mesh by group; without any, that of the head.
     safety
         Factor by which the yield stress is divided.
     limits
@@ -165,7 +169,7 @@ class ShellStudy:
     """
 
     title: str
-    head: DriverHead
+    head: Head
     bounds: Mapping[str, tuple[float, float]]
     objective: str
     delivery: Blow
@@ -181,7 +185,6 @@ class ShellStudy:
 
     def __post_init__(self) -> None:
         check_choice("objective", self.objective, OBJECTIVES)
-        check_names("variable", self.bounds, VARIABLES)
         check_names("limit", self.limits, [name for name in QUANTITIES if name != "stress"])
         check_count("designs", self.designs, 2, 500)
         if not self.bounds:
@@ -190,6 +193,9 @@ class ShellStudy:
             raise InputError("safety", self.safety, "1 to 10")
         if not 0.01 <= self.radius <= 1.0:
             raise InputError("radius", self.radius, "0.01 to 1, a share of the bounds")
+        for name in self.bounds:
+            self.family.check_variable(name)
+        choices = self.choices  # checks metals before heads are made of them
         for name, (least, most) in self.bounds.items():
             own = self.start_value(name)
             if not least < most:
@@ -199,23 +205,27 @@ class ShellStudy:
                     f"variables.{name}", show(name, own),
                     f"bounds that hold what the head has; these go from {show(name, least)} to {show(name, most)}",
                 )  # fmt: skip
-        made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
-        if not least <= made <= most:
-            allowed = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
-            raise InputError(
-                "limits.mass",
-                ["none" if each in (0.0, math.inf) else units.show(each, "g") for each in (least, most)],
-                allowed,
-            )
-        if not self.metals:
-            own = NamedMetal(name="that of the head", metal=self.head.metal)
-            object.__setattr__(self, "metals", (own,))
-        for each in self.metals if self.hardest is not None else ():
-            if each.metal.yield_stress is None:
-                raise InputError(
-                    "yield", None, f"the yield stress of {each.name}, which the hardest blow is held against"
-                )
+        self._check_limits()
+        for choice in choices if self.hardest is not None else ():
+            for part in self.family.start.parts:
+                name, metal = self.family.metal(part.name, choice)
+                if part.face and metal.yield_stress is None:
+                    raise InputError(
+                        "yield", None, f"the yield stress of {name}, which the hardest blow is held against"
+                    )
         self._check_heads()
+
+    def _check_limits(self) -> None:
+        """Refuse a mass that no head has, and a volume where it is not known."""
+        shown = {name: ["none" if each in (0.0, math.inf) else units.show(each, QUANTITIES[name][2]) for each in ends]
+                 for name, ends in self.limits.items()}  # fmt: skip
+        if isinstance(self.head, DriverHead):
+            made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
+            if not least <= made <= most:
+                allowed = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
+                raise InputError("limits.mass", shown["mass"], allowed)
+        if "volume" in self.limits and self.family.start.volume is None:
+            raise InputError("limits.volume", shown["volume"], "left out: the mesh is open and has no volume")
 
     def _check_heads(self) -> None:
         """Refuse bounds at which there is no head, and blows that miss the face, before anything runs."""
@@ -223,11 +233,11 @@ class ShellStudy:
             for name, bounds in self.bounds.items():
                 for value in bounds:
                     try:
-                        _ = self.at(self.start(), self.metals[0], {name: value}).mesh().club
+                        self.family.check(self.at(self.start(), self.choices[0], {name: value}))
                     except InputError as error:
                         allowed = f"bounds at which there is a head ({error})"
                         raise InputError(f"variables.{name}", show(name, value), allowed) from error
-            club = self.at(self.start(), self.metals[0]).mesh().club
+            club = self.at(self.start(), self.choices[0]).mesh().club
             blows = {"delivery": self.delivery, **({} if self.hardest is None else {"hardest": self.hardest})}
             for table, blow in blows.items():
                 for point in blow.points:
@@ -236,10 +246,19 @@ class ShellStudy:
                     except ShotError as error:
                         raise ShotError(f"{table}.{error.parameter}", error.value, error.allowed) from None
 
+    @cached_property
+    def family(self) -> Family:
+        """The heads that follow from the bounds."""
+        return family_of(self.head, self.bounds)
+
+    @cached_property
+    def choices(self) -> tuple[MetalChoice, ...]:
+        """What the head may be made of: each choice is searched by itself."""
+        return metal_choices(self.metals, self.family.groups)
+
     def start_value(self, name: str) -> float:
         """Return what the head to start from has of a variable [SI]."""
-        table, key = name.split(".")
-        return getattr(self.head, table)[key]
+        return self.family.value(self.head, name)
 
     def start(self) -> NDArray[Any]:
         """Return the head to start from, as shares of the bounds."""
@@ -250,36 +269,29 @@ class ShellStudy:
         return {name: low + float(share) * (high - low)
                 for share, (name, (low, high)) in zip(place, self.bounds.items(), strict=True)}  # fmt: skip
 
-    def at(self, place: NDArray[Any], metal: NamedMetal, own: Mapping[str, float] | None = None) -> DriverHead:
-        """Return the head at a place within the bounds, of a metal that stays elastic."""
-        tables = {"shape": dict(self.head.shape), "thickness": dict(self.head.thickness)}
-        for name, value in {**self.variables(place), **(own or {})}.items():
-            table, key = name.split(".")
-            tables[table][key] = value
-        free = any(f"thickness.{wall}" in self.bounds for wall in SCALED)
-        return replace(
-            self.head, **tables, scales=(1.0, 1.0) if free else self.head.scales,
-            metal=replace(metal.metal, yield_stress=None, hardening=None, points=None),
-        )  # fmt: skip
+    def at(self, place: NDArray[Any], choice: MetalChoice, own: Mapping[str, float] | None = None) -> Head:
+        """Return the head at a place within the bounds, of metals that stay elastic."""
+        return self.family.vary({**self.variables(place), **(own or {})}, choice)
 
-    def goal(self, metal: NamedMetal) -> Goal:
-        """Return what is best, and all limits that hold for a metal."""
-        limits = dict(self.limits)
+    def goal(self, choice: MetalChoice) -> Goal:
+        """Return what is best, and all limits that hold for a choice of metals."""
+        limits, head = dict(self.limits), self.family.start
         if self.rules:
-            for rule in rules_of(self.head.mesh().club):
+            for rule in rules_of(head.club):
                 least, most = limits.get(rule.name, (0.0, math.inf))
-                limits[rule.name] = (least, min(most, rule.limit))
-        if self.hardest is not None and metal.metal.yield_stress is not None:
-            limits["stress"] = (0.0, metal.metal.yield_stress / self.safety)
+                if rule.name != "volume" or head.volume is not None:
+                    limits[rule.name] = (least, min(most, rule.limit))
+        if self.hardest is not None:
+            for name, number in face_parts(head).items():
+                _, metal = self.family.metal(head.parts[number].name, choice)
+                if metal.yield_stress is not None:
+                    limits[name] = (0.0, metal.yield_stress / self.safety)
         return Goal(objective=self.objective, largest=OBJECTIVES[self.objective], limits=limits)
-
-
-VARIABLES = (*(f"thickness.{wall}" for wall in WALLS), *(f"shape.{name}" for name in SHAPE))
 
 
 def show(name: str, value: float) -> str:
     """Return a variable in words."""
-    return units.show(value, "deg" if name == "shape.loft" else "mm")
+    return units.show(value, unit_of(name))
 
 
 MOST_POINTS = 100
@@ -291,9 +303,9 @@ POINTS = Items(
 _BLOW = {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
 BLOW = Record(_BLOW)
 """A delivery; ``points`` say where it strikes."""
-WALL_BOUNDS = Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')
 VARIABLE_TABLES = {
-    "thickness": Record(dict.fromkeys(WALLS, WALL_BOUNDS)),
+    "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
+    "masses": Record(Interval(PhysicalValue("g", lower=0), '["0 g", "12 g"]')),
     "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in SHAPE}),
 }
 LIMITS = Record(
@@ -305,11 +317,15 @@ LIMITS = Record(
 )
 
 
-def _driver(named: Any) -> DriverHead:
-    """Return the design of a driver, by a built-in name or from a file."""
-    head = from_toml(path_of("head of finite elements", named, FOLDER))
-    if not isinstance(head, DriverHead):
-        raise InputError("head", head.name, 'of the kind "driver", whose walls can vary')
+def _head(named: Any) -> Head:
+    """Return the design of a head, by a built-in name or from a file."""
+    path = path_of("head of finite elements", named, FOLDER)
+    head = from_toml(path)
+    if not isinstance(head, Head):
+        raise InputError("head", head.name, 'of the kind "driver" or "mesh", whose walls can vary')
+    if isinstance(head, MeshHead):
+        with without_warnings():
+            meshed(path)  # the errors of a mesh name the file of its head
     return head
 
 
@@ -322,7 +338,8 @@ def _made_metal(values: dict[str, Any], place: Place) -> NamedMetal:
     return NamedMetal(metal=metal, **values)
 
 
-_METAL_KEYS = {"name": NAME, "source": TEXT, **{key: each.value for key, each in METAL.items()}}
+_GROUPS = Items(NAME, 1, None, 'a list of groups of the mesh, as in ["face"]')
+_METAL_KEYS = {"name": NAME, "source": TEXT, "groups": _GROUPS, **{key: each.value for key, each in METAL.items()}}
 METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), make=_made_metal))
 
 
@@ -331,7 +348,7 @@ class ShellFile:
     """A file of a study of a head of shells."""
 
     title: str = file_key(TEXT, "for tables")
-    head: DriverHead = file_key(Reference(_driver), "a driver of walls to start from")
+    head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
     objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
     golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
     ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
@@ -348,7 +365,9 @@ class ShellFile:
         BLOW, "what is other in the hardest blow, whose stress the face must stand", default=None
     )
     limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
-    metals: tuple[NamedMetal, ...] = file_key(METALS, "to choose from; that of the head unless given", default=())
+    metals: tuple[NamedMetal, ...] = file_key(
+        METALS, "to choose from, of a mesh by `groups`; those of the head unless given", default=()
+    )
 
     def study(self) -> ShellStudy:
         """Return the study."""

@@ -24,7 +24,7 @@ SHOWN = 12
 
 GROUP = {
     "name": NAME,
-    "thickness": PhysicalValue("mm", 0.2, 20),
+    "thickness": PhysicalValue("mm", 0.2, 20, decimals=4),
     "face": FLAG,
     "sets": Items(TEXT, allowed='a list of names of sets in the mesh, as ["1", "2"]'),
 }
@@ -73,6 +73,17 @@ def _made_group(values: dict[str, Any], place: Place) -> Group:
 GROUP_TABLE = Record(
     {**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",), make=_made_group
 )
+
+
+def group_values(group: Group) -> dict[str, Any]:
+    """Return the table [[groups]] of a group by key, without what it leaves to cards of the mesh."""
+    given, metal = group.metal, {}
+    for key, each in entries(Metal).items():
+        value = getattr(given, each.attribute) if isinstance(given, Metal) else given.get(each.attribute)
+        if value is not None and (key in METAL or value != each.default):
+            metal[key] = each.value.check(value, Place(name=key, label=group.name))
+    own = {key: getattr(group, key) for key in GROUP}
+    return {key: value for key, value in own.items() if value not in (None, False, ())} | metal
 
 
 def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any]:

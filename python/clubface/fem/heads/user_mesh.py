@@ -6,6 +6,7 @@ import math
 import os
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,12 +19,12 @@ from clubface.errors import InputError, MeshWarning
 from clubface.fem.geometry import area_vectors, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.mesh_frame import check_frame
-from clubface.fem.heads.mesh_groups import GROUP_TABLE, Group, assign, point_masses, walls
+from clubface.fem.heads.mesh_groups import GROUP_TABLE, Group, assign, group_values, point_masses, walls
 from clubface.fem.heads.mesh_repair import Shells, repaired
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import read_mesh
-from clubface.schema import NAME, TEXT, FilePath, PhysicalValue, Simple, Tables, check_values, file_key
+from clubface.schema import NAME, TEXT, FilePath, PhysicalValue, Simple, Tables, check_values, encode, file_key
 from clubface.support.checks import warn_once
 
 SIZES = (0.06, 0.2)
@@ -145,7 +146,7 @@ class MeshHead:
             own = shells.group == place
             for name, face, count in (
                 (group.name, group.face, int((own & ~away).sum())),
-                (f"{group.name}, beyond", False, int(away[own].sum())),
+                (beyond(group.name), False, int(away[own].sum())),
             ):  # fmt: skip
                 if count:
                     parts.append(Part(name, count, metal, face))
@@ -214,6 +215,35 @@ class MeshHead:
                 f" {units.fixed(float(away[own].min()), 'mm', 1)} from it, and are no part of the face, at whose edge"
                 " contact ends; give them to a group with face = true"
             )
+
+
+def beyond(group: str) -> str:
+    """Return the name of the part of a group of the face that is turned away from the ball."""
+    return f"{group}, beyond"
+
+
+def text(
+    head: MeshHead, *, characteristic_time: float | None = None, folder: str | os.PathLike[str] | None = None
+) -> str:
+    """Return a file of a head of a mesh, which :func:`.read.from_toml` reads; thickness to 0.1 um.
+
+    Parameters
+    ----------
+    characteristic_time
+        For the models that take the head as rigid [s].
+    folder
+        Where the file is to stand: the mesh is named from there. Unless given, it is named as in the head.
+    """
+    path = os.fspath(head.file)
+    if folder is not None:
+        with suppress(ValueError):  # of another drive: its full path
+            path = os.path.relpath(path, folder)
+    lines = ['kind = "mesh"\n']
+    if characteristic_time is not None:
+        lines.append(f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n")
+    centre = [each if isinstance(each, str) else float(each) for each in head.face_centre]
+    groups = [group_values(group) for group in head.groups]
+    return "".join([*lines, encode(head, file=path.replace(os.sep, "/"), face_centre=centre, groups=groups)])
 
 
 def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:

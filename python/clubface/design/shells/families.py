@@ -1,0 +1,280 @@
+"""Families of heads: what a study may vary of the head that it starts from, and the heads that follow."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface import units
+from clubface.design.shells.metals import MetalChoice, elastic
+from clubface.errors import InputError, TargetWarning, Wording
+from clubface.fem.geometry import area_vectors, sums_at_nodes
+from clubface.fem.heads import driver, user_mesh
+from clubface.fem.heads.added_mass import spread
+from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
+from clubface.fem.heads.mesh_groups import Group
+from clubface.fem.heads.meshed import ShellHead
+from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.user_mesh import MeshHead
+from clubface.support.checks import check_choice, without_warnings
+from clubface.support.files import input_file
+
+SCALED = ("crown", "sole", "skirt")
+"""Walls that a head makes thicker or thinner to meet its mass, unless they are variables."""
+ELEMENTS = (12, 6, 8)
+"""Most elements of the coarse mesh of a driver: it weighs the head within 0.1%, and takes a third of the time of the
+usual one."""
+
+Head = DriverHead | MeshHead
+
+
+class FaceWall(NamedTuple):
+    """A wall of the face as a plate: its metal, its mean thickness, and that at the face centre [m]."""
+
+    metal: Metal
+    mean: float
+    centre: float
+
+
+class Family(ABC):
+    """The heads that a study may judge.
+
+    A variable has the name of its table in the file of the head, a point, and its own, such as "thickness.crown".
+
+    Attributes
+    ----------
+    start
+        The mesh of the head to start from.
+    variables
+        What may vary, by table: what one is called, and the names.
+    groups
+        Groups that may be of different metals; none of a head that is of one metal.
+    """
+
+    start: ShellHead
+    variables: Mapping[str, tuple[str, tuple[str, ...]]]
+    groups: tuple[str, ...] = ()
+
+    @abstractmethod
+    def value(self, head: Any, name: str) -> float:
+        """Return what a head has of a variable [SI]."""
+
+    @abstractmethod
+    def vary(self, values: Mapping[str, float], choice: MetalChoice) -> Head:
+        """Return the head with other values of variables [SI], of metals that stay elastic."""
+
+    @abstractmethod
+    def finish(self, judged: Any, choice: MetalChoice) -> Head:
+        """Return a head that was judged as its file shall have it: of metals that yield."""
+
+    @abstractmethod
+    def check(self, head: Any) -> None:
+        """Refuse a head that cannot be meshed, by an ``InputError``."""
+
+    @abstractmethod
+    def coarse(self, head: Any) -> ShellHead:
+        """Return a mesh that weighs the head within 0.1%, made quickly."""
+
+    @abstractmethod
+    def face_wall(self, head: Any, meshed: ShellHead, part: str) -> FaceWall:
+        """Return a part of the face as a plate."""
+
+    @abstractmethod
+    def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
+        """Return name and metal of a part of the start, with its yield stress."""
+
+    @abstractmethod
+    def text(self, head: Any, *, characteristic_time: float | None = None, folder: Any = None) -> str:
+        """Return the file of a head, which is to stand in ``folder``."""
+
+    def files(self) -> dict[str, str]:
+        """Return fingerprints of files that the head is made from besides its own, by what each is called."""
+        return {}
+
+    def check_variable(self, name: str) -> None:
+        """Refuse a variable that this family does not have."""
+        table, _, key = name.partition(".")
+        check_choice("table of what varies", table, self.variables)
+        what, known = self.variables[table]
+        check_choice(f"{what} to vary", key, known)
+
+
+class DriverFamily(Family):
+    """Drivers from a few dimensions, which keep their targets."""
+
+    def __init__(self, head: DriverHead, varied: Mapping[str, Any]) -> None:
+        self._head = head
+        self._free = any(f"thickness.{wall}" in varied for wall in SCALED)
+        self.variables = {"thickness": ("wall", WALLS), "shape": ("dimension", SHAPE)}
+        with without_warnings(TargetWarning):
+            self.start = head.mesh()
+
+    def value(self, head: DriverHead, name: str) -> float:
+        table, _, key = name.partition(".")
+        return getattr(head, table)[key]
+
+    def vary(self, values: Mapping[str, float], choice: MetalChoice) -> DriverHead:
+        tables = {"shape": dict(self._head.shape), "thickness": dict(self._head.thickness)}
+        for name, value in values.items():
+            table, _, key = name.partition(".")
+            tables[table][key] = value
+        return replace(
+            self._head, **tables, scales=(1.0, 1.0) if self._free else self._head.scales,
+            metal=elastic(self.metal("", choice)[1]),
+        )  # fmt: skip
+
+    def finish(self, judged: DriverHead, choice: MetalChoice) -> DriverHead:
+        return replace(judged, metal=self.metal("", choice)[1])
+
+    def check(self, head: DriverHead) -> None:
+        _ = head.mesh().club
+
+    def coarse(self, head: DriverHead) -> ShellHead:
+        elements: Any = tuple(min(own, coarse) for own, coarse in zip(head.elements, ELEMENTS, strict=True))
+        return replace(head, elements=elements).mesh()
+
+    def face_wall(self, head: DriverHead, meshed: ShellHead, part: str) -> FaceWall:
+        centre, edge = head.thickness["face_centre"], head.thickness["face_edge"]
+        return FaceWall(head.metal, 0.5 * (centre + edge), centre)
+
+    def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
+        chosen = choice.of_group(part)
+        return (choice.name, self._head.metal) if chosen is None else (chosen.name, chosen.metal)
+
+    def text(self, head: DriverHead, *, characteristic_time: float | None = None, folder: Any = None) -> str:
+        return driver.text(head, characteristic_time=characteristic_time)
+
+
+class MeshFamily(Family):
+    """Heads of one mesh of shells, whose groups have other walls and metals, and other added masses."""
+
+    def __init__(self, head: MeshHead, varied: Mapping[str, Any]) -> None:
+        self._head = head
+        self.groups = tuple(group.name for group in head.groups)
+        self.variables = {"thickness": ("group", self.groups), "masses": ("mass", tuple(head.masses))}
+        self.start = head.mesh()
+        if not isinstance(self.start, ShellHead):
+            raise InputError("head", head.name, "a head of shells: the walls of a mesh of solids cannot vary")
+        self._group = {part: name for name in self.groups for part in (name, user_mesh.beyond(name))}
+        for name in varied:
+            table, _, key = name.partition(".")
+            if table == "thickness" and key in self.groups:
+                self._check_even(key)
+
+    def _rows(self, group: str) -> NDArray[Any]:
+        """Tell which elements are of a group."""
+        return np.array([self._group[part.name] == group for part in self.start.parts])[self.start.part_of_elements()]
+
+    def _check_even(self, group: str) -> None:
+        """Refuse a thickness that cards of the mesh fix for each element."""
+        walls = self.start.thickness[self._rows(group)]
+        if np.ptp(walls) > 0.0:
+            least, most = (units.show(float(each), "mm") for each in (walls.min(), walls.max()))
+            message = f"give the group one thickness in the file of the head: cards of the mesh fix {least} to {most}"
+            raise InputError(f"variables.thickness.{group}", Wording("fixed element by element"), message)
+
+    def value(self, head: MeshHead, name: str) -> float:
+        table, _, key = name.partition(".")
+        if table == "masses":
+            return head.masses[key][3]
+        given = next(group.thickness for group in head.groups if group.name == key)
+        return float(self.start.thickness[self._rows(key)][0]) if given is None else given
+
+    def vary(self, values: Mapping[str, float], choice: MetalChoice) -> MeshHead:
+        groups = tuple(
+            replace(
+                group, thickness=values.get(f"thickness.{group.name}", group.thickness),
+                metal=self._elastic(group, choice),
+            )
+            for group in self._head.groups
+        )  # fmt: skip
+        masses = {
+            name: (*place[:3], values.get(f"masses.{name}", place[3])) for name, place in self._head.masses.items()
+        }
+        return replace(self._head, groups=groups, masses=masses)
+
+    def _elastic(self, group: Group, choice: MetalChoice) -> Metal | Mapping[str, Any]:
+        chosen = choice.of_group(group.name)
+        if chosen is not None:
+            return elastic(chosen.metal)
+        if isinstance(group.metal, Metal):
+            return elastic(group.metal)
+        # What the file of the head leaves to cards of the mesh stays with them.
+        return {key: value for key, value in group.metal.items() if key not in ("yield_stress", "hardening", "points")}
+
+    def finish(self, judged: MeshHead, choice: MetalChoice) -> MeshHead:
+        groups = []
+        for own, group in zip(self._head.groups, judged.groups, strict=True):
+            chosen = choice.of_group(group.name)
+            groups.append(replace(group, metal=own.metal if chosen is None else chosen.metal))
+        return replace(judged, groups=tuple(groups))
+
+    def check(self, head: MeshHead) -> None:
+        _ = self.coarse(head).club
+
+    def coarse(self, head: MeshHead) -> ShellHead:
+        # The mesh is read once; what its nodes carry beyond their metal changes as the places of masses have it.
+        start = self.start
+        thickness, parts, carried = start.thickness.copy(), [], start.added
+        for group in head.groups:
+            rows = self._rows(group.name)
+            thickness[rows] = start.thickness[rows] if group.thickness is None else group.thickness
+        metals = {group.name: group.metal for group in head.groups}
+        for part in start.parts:
+            given = metals[self._group[part.name]]
+            parts.append(replace(part, metal=given if isinstance(given, Metal) else elastic(part.metal)))
+        if head.masses:
+            carried = start.added + self._carried(head, thickness, parts) - self._carried_at_start
+        return replace(start, thickness=thickness, parts=tuple(parts), added=carried)
+
+    @cached_property
+    def _carried_at_start(self) -> NDArray[Any]:
+        return self._carried(self._head, self.start.thickness, self.start.parts)
+
+    def _carried(self, head: MeshHead, thickness: NDArray[Any], parts: Any) -> NDArray[Any]:
+        """Return what nodes carry of the added masses of a head [kg]."""
+        start = self.start
+        density = np.array([part.metal.density for part in parts])[start.part_of_elements()]
+        walls = np.linalg.norm(area_vectors(start.nodes, start.quads), axis=1) * thickness * density
+        face = np.unique(start.quads[np.array([part.face for part in start.parts])[start.part_of_elements()]])
+        metal = sums_at_nodes(start.quads, 0.25 * walls, len(start.nodes))
+        return spread(head.masses, start.nodes, metal, face).added
+
+    def face_wall(self, head: MeshHead, meshed: ShellHead, part: str) -> FaceWall:
+        rows = [each.name == part for each in meshed.parts]
+        own = np.array(rows)[meshed.part_of_elements()]
+        areas = np.linalg.norm(area_vectors(meshed.nodes, meshed.quads[own]), axis=1)
+        away = np.linalg.norm(meshed.nodes[meshed.quads[own]].mean(axis=1), axis=1)
+        walls = meshed.thickness[own]
+        return FaceWall(meshed.parts[rows.index(True)].metal, float(walls @ areas / areas.sum()),
+                        float(walls[np.argmin(away)]))  # fmt: skip
+
+    def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
+        group = self._group[part]
+        chosen = choice.of_group(group)
+        if chosen is not None:
+            return chosen.name, chosen.metal
+        return group, next(each.metal for each in self.start.parts if each.name == part)
+
+    def text(self, head: MeshHead, *, characteristic_time: float | None = None, folder: Any = None) -> str:
+        return user_mesh.text(head, characteristic_time=characteristic_time, folder=folder)
+
+    def files(self) -> dict[str, str]:
+        return {"mesh": input_file(self._head.file).sha256}
+
+
+def face_parts(head: ShellHead) -> dict[str, int]:
+    """Return the parts of the face by the name of their greatest stress: "stress", or "stress.NAME" of several."""
+    faces = {part.name: number for number, part in enumerate(head.parts) if part.face}
+    return {"stress" if len(faces) == 1 else f"stress.{name}": number for name, number in faces.items()}
+
+
+def family_of(head: Head, varied: Mapping[str, Any]) -> Family:
+    """Return the family of a head; ``varied`` are the variables by name."""
+    return DriverFamily(head, varied) if isinstance(head, DriverHead) else MeshFamily(head, varied)
