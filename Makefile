@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -168,6 +168,11 @@ golden: dev ## the numbers that Rust, Python, the command line and the studio mu
 bench: dev ## speed, printed next to the computed results
 	cargo bench $(RUST_TESTED)
 	$(PYTHON) -m pytest benchmarks --benchmark-only
+
+LULESH ?=
+benchmarks: dev $(if $(filter true,$(NODE)),$(STUDIO_CORE)) ## the times of docs/benchmarks.md, measured here; four minutes of a quiet machine (LULESH=FOLDER, a checkout)
+	$(PYTHON) benchmarks/measure.py
+	$(if $(LULESH),$(PYTHON) benchmarks/lulesh.py "$(LULESH)")
 
 study: dev ## the tests that take minutes; those of Rust with debug assertions and checks of overflow
 	cargo test $(RUST_TESTED) -- --include-ignored

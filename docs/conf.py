@@ -24,6 +24,7 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
+    "benchmark_tables",
     "built_pages",
     "core_tables",
     "errata_tables",
