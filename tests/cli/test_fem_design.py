@@ -4,6 +4,7 @@ import pytest
 
 from clubface import fem
 from command_line import assert_mistake
+from fem_meshes import HEAD as OWN_HEAD, coarse_walls, gmsh_2
 from fem_runs import coarse
 
 pytest.importorskip("typer")
@@ -103,3 +104,29 @@ def test_the_head_to_start_from_is_not_written_over(clubface_, files):
         clubface_("fem", "design", str(files / "study.toml"), "-o", str(files / "head.toml")), "another file"
     )
     assert (files / "head.toml").read_bytes() == before
+
+
+def test_the_best_head_of_a_mesh_is_read_from_another_folder(clubface_, files):
+    (files / "head.msh").write_text(gmsh_2(coarse_walls()))
+    (files / "head.toml").write_text(OWN_HEAD)
+    (files / "study.toml").write_text(STUDY.replace("face_centre", "face"))
+    (files / "designs").mkdir()
+    best = files / "designs" / "best.toml"
+    ran = clubface_("fem", "design", str(files / "study.toml"), "-o", str(best))
+    assert ran.status == 0, ran.err
+    assert 'file = "../head.msh"' in best.read_text()
+    shown = clubface_("fem", "head", str(best), "--json").json["tables"]["head"]["rows"][0]
+    improved = clubface_("fem", "design", str(files / "study.toml"), "--json").json
+    mass = next(each for each in improved["tables"]["best"]["rows"] if each["quantity"] == "mass")
+    assert shown["mass_g"] == pytest.approx(mass["best"], rel=1e-9)
+    # The models that take the head as rigid know from the file how its face gives.
+    shot = clubface_("shot", str(best), "--speed", "100 mph", "--loft", "12 deg", "--json")
+    assert shot.status == 0, shot.err
+    assert "characteristic_time" in best.read_text()
+
+
+def test_a_group_that_the_mesh_does_not_have_is_told_in_one_line(clubface_, files):
+    (files / "head.msh").write_text(gmsh_2(coarse_walls()))
+    (files / "head.toml").write_text(OWN_HEAD)
+    (files / "study.toml").write_text(STUDY.replace("face_centre", "hosel"))
+    assert_mistake(clubface_("fem", "design", str(files / "study.toml")), "unknown group to vary 'hosel'")
