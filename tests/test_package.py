@@ -10,6 +10,7 @@ from types import ModuleType
 import pytest
 
 import clubface
+from clubface.support.renamed import GONE_WITH
 
 
 def test_importing_the_package_loads_neither_numpy_nor_anything_slow():
@@ -69,7 +70,8 @@ def test_an_old_name_of_a_module_goes_on_working_and_names_the_new_one(old, new)
         "print([(each.category.__name__, each.filename, str(each.message)) for each in caught])"
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    warning = ("DeprecationWarning", "<string>", f"clubface.{old} is called clubface.{new} now")
+    message = f"clubface.{old} is called clubface.{new} now; version {GONE_WITH} has the new name alone"
+    warning = ("DeprecationWarning", "<string>", message)
     assert result.stdout.strip() == str([warning])
 
 

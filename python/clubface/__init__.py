@@ -111,6 +111,7 @@ _MOVED = {
     "fem.vtu": "fem.files",
     "identification": "inference.identification",
     "launch_monitor": "shots",
+    "measured_shots": "shots.measured",
     "measurements": "published_data",
     "motion_capture": "capture",
 }
@@ -149,9 +150,9 @@ class _MovedModules:
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Return the module of the new name."""
-        from clubface.support.checks import warn_once
+        from clubface.support.renamed import warn_renamed
 
-        warn_once(f"{spec.name} is called {self.name} now", DeprecationWarning)
+        warn_renamed(spec.name, self.name)
         module = import_module(self.name)
         self.spec = module.__spec__
         return module

@@ -20,6 +20,7 @@ from clubface.fem.settings import Settings, settings_of
 from clubface.simulation.inputs import Delivery
 from clubface.simulation.results import outputs
 from clubface.support.checks import check_choice, check_names
+from clubface.support.renamed import renamed_arguments
 
 __all__ = ["Derivatives", "sensitivity", "variables"]
 
@@ -51,6 +52,7 @@ class Derivatives(NamedTuple):
         return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
 
 
+@renamed_arguments(which="ball")
 def variables(club: str | os.PathLike[str] | Club | ShellHead, *, ball: AnyBall = None) -> list[str]:
     """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
@@ -88,6 +90,7 @@ def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str,
     return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
 
 
+@renamed_arguments(which="ball")
 def sensitivity(
     club: str | os.PathLike[str] | Club | ShellHead,
     delivery: Delivery | Mapping[str, Any] | None = None,

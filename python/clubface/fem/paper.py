@@ -23,6 +23,7 @@ from clubface.fem.run import throw
 from clubface.fem.settings import METHODS, Settings
 from clubface.schema import Document
 from clubface.support.files import DATA
+from clubface.support.renamed import renamed_arguments
 
 __all__ = [
     "PUBLISHED",
@@ -193,6 +194,7 @@ ANGLE = "11.5 deg"
 FRICTION = 0.35
 
 
+@renamed_arguments(which="ball")
 def reference(
     *,
     ball: str | os.PathLike[str] | Ball = "reference",

@@ -25,6 +25,7 @@ from clubface.simulation.inputs import Delivery
 from clubface.simulation.results import input_columns
 from clubface.support.checks import warn_once
 from clubface.support.files import builtin_names, is_path
+from clubface.support.renamed import renamed_arguments
 
 if TYPE_CHECKING:
     from clubface.fem.core import FemImpact
@@ -69,6 +70,7 @@ def simulate(
     return record, replace(how, safety=record.safety)
 
 
+@renamed_arguments(which="ball")
 def throw(
     ball: AnyBall = None,
     *,
@@ -119,6 +121,7 @@ def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
     return v, incidence
 
 
+@renamed_arguments(which="ball")
 def strike(
     club: str | os.PathLike[str] | Club | MeshedHead,
     delivery: Delivery | Mapping[str, Any] | None = None,

@@ -1,0 +1,50 @@
+"""Old names, which go on working until the next minor version and warn of the new ones."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any, ParamSpec, TypeVar
+
+from clubface.support.checks import warn_once
+
+GONE_WITH = "0.3.0"
+"""The version that takes no old names any more: the next minor one."""
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def warn_renamed(old: str, new: str) -> None:
+    """Warn once in a process that something has another name now."""
+    warn_once(f"{old} is called {new} now; version {GONE_WITH} has the new name alone", DeprecationWarning)
+
+
+def renamed_arguments(**names: str) -> Callable[[Callable[P, T]], Callable[P, T]]:
+    """Let a function take arguments by their old names: ``@renamed_arguments(which="ball")``.
+
+    Parameters
+    ----------
+    names
+        The new names by the old ones.
+
+    Raises
+    ------
+    TypeError
+        By the function, where it is called with both names.
+    """
+
+    def decorate(function: Callable[P, T]) -> Callable[P, T]:
+        @functools.wraps(function)
+        def call(*arguments: Any, **options: Any) -> T:
+            for old, new in names.items():
+                if old in options:
+                    if new in options:
+                        raise TypeError(f"{function.__name__}() was given '{new}' twice, by its old name '{old}', too")
+                    warn_renamed(f"'{old}' of {function.__name__}()", f"'{new}'")
+                    options[new] = options.pop(old)
+            return function(*arguments, **options)
+
+        return call
+
+    return decorate
