@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -77,6 +77,21 @@ demo: build ## the published tour averages by every model; tables and pictures i
 
 test: dev $(STUDIO_TESTED) ## all tests; the last line is "N passed, N failed"
 	@$(PYTHON) scripts/run_tests.py
+
+PYTHONS ?= $(PYTHON)
+PYTEST ?=
+WHEEL ?=
+RECORD ?=
+TEST_VERSIONS = $(PYTHON) scripts/test_versions.py $(@:test-%=%) $(PYTHONS) $(if $(WHEEL),--wheel $(WHEEL)) \
+	$(if $(RECORD),--record) -- $(PYTEST)
+test-oldest: dev ## the tests of Python on the lowest versions allowed (PYTHONS="python3.11 python3.13", PYTEST=tests/cli, RECORD=1)
+	@$(TEST_VERSIONS)
+
+test-newest: dev ## the same on the highest versions allowed
+	@$(TEST_VERSIONS)
+
+test-beyond: dev ## the same on the newest versions there are, whatever pyproject.toml allows
+	@$(TEST_VERSIONS)
 
 test-aarch64: ## packs, batches and flights as 64-bit Arm computes them, by qemu on other machines; minutes
 	scripts/test-aarch64.sh
