@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import typer
 
-import clubface
 from clubface import quantities as registry
 from clubface.cli import app as commands, show
 from clubface.cli.options import takes
@@ -16,7 +15,7 @@ from clubface.quantities import register_quantity
 from clubface.results import Result, catalogue, column, note, text
 from clubface.results.table import table
 
-ROOT = Path(clubface.__file__).parents[2]
+ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "CONTRIBUTING.md").read_text()
 
 
