@@ -219,7 +219,7 @@ def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
     if low is not None or high is not None:
         getattr(axes, f"set_{name}lim")(low, high)
     if axis.names is not None:
-        narrow = axes.get_figure(root=True).get_figwidth() < WIDTH  # pyright: ignore[reportOptionalMemberAccess]
+        narrow = axes.figure.get_figwidth() < WIDTH  # pyright: ignore[reportAttributeAccessIssue]
         long = name == "x" and sum(map(len, axis.names)) > LONGEST_NAMES * (2 / 3 if narrow else 1)
         turned = {"rotation": 35, "ha": "right"} if long else {}
         getattr(axes, f"set_{name}ticks")(range(len(axis.names)), axis.names, **turned)
