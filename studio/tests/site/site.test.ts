@@ -6,7 +6,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import type { Frame, Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
 import { filesUnder } from "../../build/offline";
-import { TestBrowser } from "../browser/site";
+import { TestBrowser, violations } from "../browser/site";
 
 const SITE = process.env.SITE ?? fileURLToPath(new URL("../../../out/site", import.meta.url));
 const address = (name: string, rest = ""): string => pathToFileURL(join(SITE, name)).href + rest;
@@ -89,6 +89,12 @@ describe("the front page", () => {
       .poll(() => frame.evaluate(() => document.documentElement.scrollHeight - innerHeight))
       .toBeLessThanOrEqual(0);
     expect(errors).toEqual([]);
+  });
+
+  test.each(["light", "dark"] as const)("has a picture in which axe finds no violation, %s", async (colorScheme) => {
+    await browser.renew({ colorScheme });
+    const { page } = await browser.open(address("studio/live.html"), ".flight svg");
+    expect(await violations(page)).toEqual([]);
   });
 
   test("shows the numbers of the studio, which opens from its file with the same shot", async () => {

@@ -18,6 +18,7 @@ function view(context: Context): TemplateResult {
   const failure = outputOf(model, "shot")?.failure;
   return html`
     <main class=${failure ? "live stale" : "live"}>
+      <h1 class="unseen">A shot and its delivery</h1>
       <p class="failure" role="alert">${failure ? `This shot cannot be computed: ${failure.message}.` : nothing}</p>
       ${numbers(context)} ${flightPanel(context)}
       <section class="inputs" aria-label="Delivery">${INPUTS.map((name) => deliveryField(context, name))}</section>
@@ -30,14 +31,16 @@ function numbers({ model, state, formatter }: Context): TemplateResult {
   const shot = model.good;
   if (!shot) return html``;
   return html`
-    <dl class="numbers" aria-live="polite">
-      ${NUMBERS.map((name) => {
-        const { number, unit } = formatter.show(name, shot.values[name], state.system);
-        return html`<div>
-          <dt>${formatter.quantity(name).label}</dt>
-          <dd><b>${number}</b>${gap(unit) ? html` <span>${unit}</span>` : unit}</dd>
-        </div>`;
-      })}
-    </dl>
+    <section class="numbers" aria-label="The shot in short">
+      <dl aria-live="polite">
+        ${NUMBERS.map((name) => {
+          const { number, unit } = formatter.show(name, shot.values[name], state.system);
+          return html`<div>
+            <dt>${formatter.quantity(name).label}</dt>
+            <dd><b>${number}</b>${gap(unit) ? html` <span>${unit}</span>` : unit}</dd>
+          </div>`;
+        })}
+      </dl>
+    </section>
   `;
 }
