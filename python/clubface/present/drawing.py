@@ -13,6 +13,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import MaxNLocator
@@ -85,11 +86,24 @@ def _end_of_tall(rows: Sequence[Sequence[Panel | None]], line: int, place: int) 
     return below
 
 
+class _RoundedLayout(ConstrainedLayoutEngine):
+    """Constrained layout to 1e-9 of the figure.
+
+    The order of its equations, and with it the last digits of a place, depends on where variables stand in memory.
+    """
+
+    def execute(self, fig: Any) -> None:
+        super().execute(fig)
+        for axes in fig.axes:
+            axes.set_position(np.round(axes.get_position(original=True).bounds, 9))
+            axes.set_in_layout(True)
+
+
 @styled
 def _draw(picture: Picture, width: float) -> Figure:
     rows = [list(each) for each in picture.rows]
     columns = max(len(row) for row in rows)
-    figure = Figure(figsize=(width, _height(picture)), layout="constrained")
+    figure = Figure(figsize=(width, _height(picture)), layout=_RoundedLayout())
     grid = figure.add_gridspec(len(rows), columns, height_ratios=picture.heights, width_ratios=picture.widths)
     first_of_row: dict[int, Axes] = {}
     first_of_column: dict[int, Axes] = {}
