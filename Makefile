@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -123,6 +123,9 @@ site: dev studio-build ## documentation and studio as one site in out/site, for 
 site-test: site ## every page of the site opened from its file in Chromium, as on a phone and on a desk, and the studio
 	@scripts/find-browser.sh >/dev/null
 	$(BROWSER) npm --prefix studio run --silent site-test
+
+paper: dev ## the paper of four pages about clubface in out/paper.pdf, its numbers computed
+	$(PYTHON) paper/build.py out
 
 notebooks: dev ## run the notebooks again and store what they print and draw
 	$(PYTHON) notebooks/run.py --update
