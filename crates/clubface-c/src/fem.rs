@@ -4,14 +4,66 @@ use crate::result::{ClubfaceResult, Computed, Failure, compute, text_from};
 use clubface_fem::FemError;
 use clubface_fem::description::{BallDescription, CaseDescription, HeadDescription};
 use clubface_fem::environment::Environment;
+use clubface_fem::material::{OwnFunction, register_law};
 use clubface_fem::solve::{ImpactRecord, Progress};
 use clubface_math::{Mat3, Vec3};
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;
 use std::ffi::{c_char, c_void};
 
 /// Called by a running simulation with the caller's pointer, the simulated time and the duration, s; `false` stops it.
 pub type ClubfaceProgress = Option<extern "C" fn(context: *mut c_void, time: f64, duration: f64) -> bool>;
+
+/// A law of a material's change of shape, called for `count` points at once and by several threads at a time. Rows of
+/// `count` numbers, one of each point: `shapes`, the right Cauchy-Green tensor without its change of volume,
+/// `J^(-2/3) F^T F`, in the rows xx, yy, zz, xy, xz, yz; `states`, the state variables, zero before any deformation, which
+/// the function moves on by `step` seconds, in place; `results`, twice the derivative of the elastic energy by `shapes` (Pa)
+/// in such rows, apart from any multiple of the inverse of `shapes`, then the elastic energy (J/m3), then the energy that
+/// became heat so far (J/m3), zero unless written. `constants` are those of the material (SI).
+pub type ClubfaceLaw = Option<
+    unsafe extern "C" fn(
+        count: usize,
+        shapes: *const f64,
+        constants: *const f64,
+        step: f64,
+        states: *mut f64,
+        results: *mut f64,
+    ),
+>;
+
+/// What is told of a law.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LawDescription {
+    constants: Vec<String>,
+    values: Vec<f64>,
+    #[serde(default)]
+    states: usize,
+}
+
+/// Makes a function a law that pieces name by `law`, in place of one of the same name. `description` has the names of its
+/// `constants`, `values` of them (SI) to check it with, and its number of state variables, `states`, 0 if left out. The
+/// text has its modulus of small strains, `shear` (Pa).
+///
+/// # Safety
+/// The texts end with a null byte; `function` does what [`ClubfaceLaw`] says and is there as long as the program.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn clubface_fem_law(
+    name: *const c_char,
+    function: ClubfaceLaw,
+    description: *const c_char,
+) -> *mut ClubfaceResult {
+    compute(|| {
+        // SAFETY: the caller's promise.
+        let (name, told) =
+            unsafe { (text_from(name, "name")?, described::<LawDescription>(description, "description")?) };
+        let function = function.ok_or_else(|| Failure::input("function", "null; a function is needed"))?;
+        // SAFETY: the caller's promise.
+        let function = unsafe { OwnFunction::new(name, told.constants, told.states, function) }?;
+        Computed::from_json(&json!({"shear": register_law(function, &told.values)?}))
+    })
+}
 
 /// What a caller describes.
 ///

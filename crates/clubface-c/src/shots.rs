@@ -21,7 +21,7 @@ pub(crate) unsafe fn model_from(model: *const c_char) -> Result<ImpactModel, Fai
 }
 
 fn accuracy(tolerance: f64) -> Result<Accuracy, Failure> {
-    Ok(Accuracy::from_tolerance((tolerance > 0.0).then_some(tolerance))?)
+    Ok(Accuracy::from_tolerance(Some(tolerance))?)
 }
 
 /// Computes launches of `rows` shots by a model.

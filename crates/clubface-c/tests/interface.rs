@@ -252,6 +252,7 @@ fn a_map_of_a_face_is_the_launches_at_its_points() {
     };
     assert_eq!(refused("best", json!(["cary"])), "best");
     assert_eq!(refused("share", json!(1.5)), "share");
+    assert_eq!(refused("tolerance", json!(0.5)), "tolerance");
     assert_eq!(refused("grid", json!([2, 9])), "grid");
     assert_eq!(refused("points", json!([[0.0], [0.0]])), "grid");
     assert_eq!(refused("outline", json!([[0.0, 0.0]])), "outline");
@@ -306,6 +307,64 @@ fn a_described_ball_rebounds_as_momentum_has_it_and_a_caller_can_stop_it() {
     assert!(answer.outcome.unwrap()["stopped"].as_str().unwrap().contains("by request"));
 }
 
+/// Rubber of the core of [`coarse_case`] as a caller writes it.
+unsafe extern "C" fn rivlin(
+    count: usize,
+    shapes: *const f64,
+    constants: *const f64,
+    _step: f64,
+    _states: *mut f64,
+    results: *mut f64,
+) {
+    let (shapes, constants, results) = unsafe {
+        (
+            std::slice::from_raw_parts(shapes, 6 * count),
+            std::slice::from_raw_parts(constants, 2),
+            std::slice::from_raw_parts_mut(results, 8 * count),
+        )
+    };
+    for i in 0..count {
+        let c = |row: usize| shapes[row * count + i];
+        let first = c(0) + c(1) + c(2);
+        let square: f64 = (0..6).map(|row| if row < 3 { c(row) * c(row) } else { 2.0 * c(row) * c(row) }).sum();
+        for row in 0..6 {
+            let one = if row < 3 { 2.0 * (constants[0] + constants[1] * first) } else { 0.0 };
+            results[row * count + i] = one - 2.0 * constants[1] * c(row);
+        }
+        results[6 * count + i] =
+            constants[0] * (first - 3.0) + constants[1] * (0.5 * (first * first - square) - 3.0);
+    }
+}
+
+#[test]
+fn a_law_of_the_caller_is_the_same_law_in_the_core() {
+    let description = json!({"constants": ["c10", "c01"], "values": [4e6, 1e6]}).to_string();
+    let registered = |name: &str, function, description: &str| {
+        read(unsafe { clubface_fem_law(c(name).as_ptr(), function, c(description).as_ptr()) }).outcome
+    };
+    let shear = registered("mine", Some(rivlin), &description).unwrap()["shear"].as_f64().unwrap();
+    // Twice the sum of both constants, by differences of the fourth order.
+    assert!((shear / 10e6 - 1.0).abs() < 1e-11, "{shear}");
+    let mut case = coarse_case();
+    let peak = |case: &Value| {
+        let case = c(&case.to_string());
+        let answer = read(unsafe { clubface_fem(case.as_ptr(), None, null_mut()) });
+        answer.outcome.unwrap()["peak_force"].as_f64().unwrap()
+    };
+    let built_in = peak(&case);
+    case["ball"]["pieces"][0]["law"] = json!("mine");
+    // The shear modulus is that of differences; rounding grows over the contact.
+    assert!((peak(&case) / built_in - 1.0).abs() < 1e-9);
+
+    let refused = |name, function, description: &str| {
+        registered(name, function, description).unwrap_err()["input"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(refused("linear", Some(rivlin), &description), "name");
+    assert_eq!(refused("mine", None, &description), "function");
+    assert_eq!(refused("mine", Some(rivlin), "{}"), "description");
+    assert_eq!(refused("mine", Some(rivlin), &description.replace("4e6", "-4e6").replace("4000000.0", "-4e6")), "law of mine");
+}
+
 #[test]
 fn what_cannot_be_computed_names_the_input() {
     let (known, unknown) = (c("standard"), c("no such model"));
@@ -321,7 +380,9 @@ fn what_cannot_be_computed_names_the_input() {
     assert_eq!(launch(std::ptr::null(), inputs.as_ptr(), 1, 0.0), "model");
     assert_eq!(launch(known.as_ptr(), std::ptr::null(), 1, 0.0), "inputs");
     assert_eq!(launch(known.as_ptr(), inputs.as_ptr(), 0, 0.0), "rows");
-    assert_eq!(launch(known.as_ptr(), inputs.as_ptr(), 1, 0.5), "accuracy");
+    for tolerance in [0.5, -1e-6, f64::NAN] {
+        assert_eq!(launch(known.as_ptr(), inputs.as_ptr(), 1, tolerance), "tolerance");
+    }
     let mut case = coarse_case();
     case["ball"]["pieces"][0]["law"] = json!("rubber");
     let wrong = c(&case.to_string());

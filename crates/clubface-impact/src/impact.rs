@@ -14,17 +14,17 @@ pub enum Accuracy {
 }
 
 impl Accuracy {
-    /// A relative tolerance a step, or the fast setting where none is given.
+    /// A relative tolerance a step, or the fast setting where none or 0 is given.
     ///
     /// # Errors
     /// A tolerance that is not allowed.
     pub fn from_tolerance(tolerance: Option<f64>) -> Result<Self, ImpactError> {
         match tolerance {
-            None => Ok(Self::Fast),
+            None | Some(0.0) => Ok(Self::Fast),
             Some(value) if (1e-13..=1e-2).contains(&value) => Ok(Self::Tolerance(value)),
             Some(value) => {
-                let message = format!("{value} is not allowed; 1e-13 to 1e-2, or None for the fast setting");
-                Err(ImpactError::new("accuracy", message))
+                let message = format!("{value} is not allowed; 1e-13 to 1e-2, or 0 for the fast setting");
+                Err(ImpactError::new("tolerance", message))
             }
         }
     }

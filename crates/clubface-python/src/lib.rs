@@ -30,8 +30,8 @@ mod _core {
     #[pymodule_export]
     use crate::fem::{
         FemImpact, fem_ball, fem_check_law, fem_driver, fem_energy, fem_energy_instability,
-        fem_energy_values, fem_head_properties, fem_impact, fem_iron, fem_laws, fem_mesh, fem_sensitivity,
-        fem_shear, fem_thickness_points, fem_variables, fem_yield_stress,
+        fem_energy_values, fem_head_properties, fem_impact, fem_iron, fem_laws, fem_mesh, fem_register_law,
+        fem_sensitivity, fem_shear, fem_thickness_points, fem_variables, fem_yield_stress,
     };
     #[pymodule_export]
     use crate::flight::{curves, fly, fly_sensitivities, fly_sensitivity, shot_shape_names, trajectory};

@@ -250,7 +250,10 @@ def paper(**texts: Any) -> None:
 @app.command("sweep")
 @options.takes(GRID, CASE, show.FOLDER, WORKERS, show.JSON)
 def sweep(**texts: Any) -> None:
-    """Run a case over speeds and lofts, one run on each core; with --output it can be resumed."""
+    """Run a case over speeds and lofts, one run on each core; with --output it can be resumed.
+
+    Anything else of case, ball and head is swept by a study of the kind fem: clubface study run STUDY.
+    """
     from clubface.fem import case as cases
 
     case, published = cases.case(texts["case"]), texts["case"] == "paper"

@@ -26,15 +26,17 @@ from clubface.fem.heads import (
     head_names,
 )
 from clubface.fem.materials import Material, Maxwell, laws
+from clubface.fem.own_law import LawFunction, register_law
 from clubface.fem.paper import reference
 from clubface.fem.result import ElementFields, Impact
 from clubface.fem.run import strike, throw
 from clubface.fem.settings import Settings
 
 __all__ = [
-    "Ball", "Derivatives", "DriverHead", "ElementFields", "Energy", "Hardening", "Impact", "IronHead", "Material",
-    "Maxwell", "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball", "ball_names",
-    "head", "head_names", "laws", "reference", "sensitivity", "strike", "throw", "variables",
+    "Ball", "Derivatives", "DriverHead", "ElementFields", "Energy", "Hardening", "Impact", "IronHead", "LawFunction",
+    "Material", "Maxwell", "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball",
+    "ball_names", "head", "head_names", "laws", "reference", "register_law", "sensitivity", "strike", "throw",
+    "variables",
 ]  # fmt: skip
 
 _MODULES = (

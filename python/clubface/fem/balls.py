@@ -25,7 +25,7 @@ from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.energies import ENERGY, Energy
 from clubface.fem.geometry import element_masses, sums_at_nodes
-from clubface.fem.materials import Material, Maxwell, laws
+from clubface.fem.materials import REGISTERED, Material, Maxwell, builtin_laws, laws
 from clubface.results.result import Result
 from clubface.schema.document import Document
 from clubface.schema.place import Place
@@ -107,7 +107,7 @@ def _made_piece(values: dict[str, Any], place: Place) -> Piece:
 
 def _piece_keys() -> Mapping[str, Value]:
     """Return the keys of [[pieces]]."""
-    constants = {name: each for law in laws().values() for name, each in law.constants.items()}
+    constants = {name: each for law in builtin_laws().values() for name, each in law.constants.items()}
     own = {
         "name": NAME,
         "layers": LAYERS,
@@ -122,23 +122,28 @@ def _piece_keys() -> Mapping[str, Value]:
 
 @dataclass(repr=False, eq=False)
 class PieceRecord(Record):
-    """The kind of one of [[pieces]]: the constants of an energy have the names that it gives them."""
+    """The kind of one of [[pieces]]: the constants of an energy or of a law of one's own have names of their own."""
 
     def read(self, given: Any, place: Place) -> Any:
-        text = given.get("energy") if isinstance(given, Mapping) else None
-        if not isinstance(text, str):
+        if not isinstance(given, Mapping):
             return super().read(given, place)
-        with (at := place.key("energy")).errors():
-            taken = [name for name in Energy.read(text).constants if name in NOT_CONSTANTS]
-            if taken:
-                raise at.invalid(text, f"one whose constants have names of their own; {taken[0]} is another key")
+        text = given.get("energy")
+        if isinstance(text, str):
+            with (at := place.key("energy")).errors():
+                taken = [name for name in Energy.read(text).constants if name in NOT_CONSTANTS]
+                if taken:
+                    raise at.invalid(text, f"one whose constants have names of their own; {taken[0]} is another key")
         return Record(self.kinds_of(given), self.required, make=self.make).read(given, place)
 
     def kinds_of(self, given: Mapping[str, Any]) -> Mapping[str, Value]:
-        """Return the kinds of the keys of a piece, the constants of its energy among them."""
-        if not isinstance(given.get("energy"), str):
+        """Return the kinds of the keys of a piece, the constants of its energy or law among them."""
+        law = given.get("law")
+        if isinstance(given.get("energy"), str):
+            dimensions = Energy.read(given["energy"]).dimensions
+        elif isinstance(law, str) and law in REGISTERED:
+            dimensions = REGISTERED[law].constants
+        else:
             return self.keys()
-        dimensions = Energy.read(given["energy"]).dimensions
         kinds = {
             name: CONSTANT if dimension is None else PhysicalValue(units.SI_UNITS[dimension])
             for name, dimension in dimensions.items()

@@ -21,6 +21,7 @@ from clubface._core import (
     fem_iron as fem_iron,
     fem_laws as fem_laws,
     fem_mesh as fem_mesh,
+    fem_register_law as fem_register_law,
     fem_sensitivity as fem_sensitivity,
     fem_shear as fem_shear,
     fem_thickness_points as fem_thickness_points,

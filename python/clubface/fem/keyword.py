@@ -22,7 +22,7 @@ from clubface.fem import core
 from clubface.fem.balls import Ball
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead
-from clubface.fem.materials import Material
+from clubface.fem.materials import REGISTERED, Material
 from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.simulation.inputs import DIMENSIONS
@@ -387,9 +387,11 @@ def _material(deck: Cards, number: int, material: Material, density: float) -> N
     branches, constants, shear = material.maxwell, material.constants, material.shear
     prony = [[branch.modulus * shear, 1.0 / branch.time] for branch in branches]
     start, rubber = [number, density, material.poisson], [number, density, material.poisson, 0, len(branches)]
+    allowed = "a law that LS-DYNA has a card for, such as ogden"
     if material.energy is not None:
-        allowed = "a law that LS-DYNA has a card for; give a law in place of the energy, such as ogden"
         raise InputError("energy", material.energy, allowed)
+    if material.law in REGISTERED:
+        raise InputError("law", material.law, allowed)
     if material.law == "ogden":
         terms = [[value for name, value in constants.items() if name.startswith(kind)] for kind in ("mu", "alpha")]
         deck.keyword("MAT_OGDEN_RUBBER", rubber, *terms, names="mid ro pr n nv")

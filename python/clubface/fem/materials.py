@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from clubface import units
-from clubface.errors import InputError
+from clubface.errors import InputError, Wording
 from clubface.fem import core
 from clubface.fem.energies import ENERGY, Energy
 from clubface.schema import PhysicalValue, check_values, file_key
@@ -59,6 +59,8 @@ class Law(NamedTuple):
         except ValueError as error:
             label, _, allowed = error.args
             name = label.removesuffix(f" of {self.name}")
+            if name == "law":
+                raise InputError(name, Wording(error.args[1]), allowed.removeprefix("it must be ")) from None
             # The shear modulus is no constant: the material has limits of its own for it.
             if name in constants:
                 pressure = self.constants[name] == "pressure"
@@ -66,9 +68,18 @@ class Law(NamedTuple):
                 raise InputError(name, shown, allowed.removeprefix("it must be ")) from None
 
 
-@cache
+REGISTERED: dict[str, Law] = {}
+"""Laws of one's own, see :func:`clubface.fem.register_law`."""
+
+
 def laws() -> Mapping[str, Law]:
-    """Return the elastic laws by name."""
+    """Return the elastic laws by name, those of one's own last."""
+    return Frozen({**builtin_laws(), **REGISTERED})
+
+
+@cache
+def builtin_laws() -> Mapping[str, Law]:
+    """Return the elastic laws of the package by name."""
     laws_by_name = {}
     for each in core.fem_laws():
         constants = Frozen({constant["name"]: constant["dimension"] for constant in each["constants"]})
@@ -146,8 +157,9 @@ class Material:
         if not SHEAR[0] <= self.shear <= SHEAR[1]:
             if self.energy is not None:
                 raise InputError("energy", self.energy, _shear_allowed(self.shear))
-            name, value = next(iter(values.items()))
-            raise InputError(name, units.show(value, "MPa"), _shear_allowed(self.shear))
+            name, value = next(iter(values.items()), ("law", None))
+            shown = self.law if value is None else units.show(value, "MPa")
+            raise InputError(name, shown, _shear_allowed(self.shear))
 
     def _law(self) -> Law | Energy:
         """Return the law, or the energy in its place, before the constants are known to fit."""

@@ -42,6 +42,7 @@ from clubface.simulation.two_bodies import (
     sample_history,
 )
 from clubface.support.checks import check_text
+from clubface.support.functions import function_address
 
 USUAL_TOLERANCE = 1e-7
 """Of a step, where no accuracy is given: the launch is then correct to 1e-5, its peak force to 3e-5."""
@@ -111,7 +112,7 @@ def register_law(
         raise InputError("name", name, "a word of letters, digits and underscores")
     if name in models() or name in MODULES or name == "all":
         raise InputError("name", name, "one that no model of the package has")
-    address = _address(law)
+    address = function_address(law)
     if not callable(law) and not address:
         raise InputError("law", law, "a function of a Touch and the values of the parameters")
     for what, text in (("title", title), ("summary", summary), ("reference", reference)):
@@ -128,7 +129,7 @@ def register_law(
         name=name, title=title or name, kind="contact", summary=summary, reference=reference,
         laws=("momentum", "angular_momentum"), laws_without=None, parameters=declared,
     )  # fmt: skip
-    OWN[name] = SimpleNamespace(MODEL=model, BACKEND=OwnLaw(model, law, sizes, address, _address(complex_law)))
+    OWN[name] = SimpleNamespace(MODEL=model, BACKEND=OwnLaw(model, law, sizes, address, function_address(complex_law)))
     forget_parameters()
     return model
 
@@ -156,16 +157,6 @@ def _parameter(name: str, given: Any) -> Parameter:
     dimension = units.dimension_of(given, name=name)
     value, si = units.parse(given, dimension, name=name), units.symbols(dimension)[0]
     return Parameter(name, si, name.replace("_", " "), value, -math.inf, math.inf, "given with the law")
-
-
-def _address(law: Any) -> int:
-    """Return where a compiled function is, 0 for any other."""
-    address = getattr(law, "address", None)
-    if isinstance(address, int):
-        return address
-    if isinstance(law, ctypes._CFuncPtr):  # pyright: ignore[reportPrivateUsage, reportAttributeAccessIssue]
-        return ctypes.cast(law, ctypes.c_void_p).value or 0
-    return 0
 
 
 class OwnLaw:

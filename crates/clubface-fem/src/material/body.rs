@@ -51,7 +51,7 @@ impl<R: Real> Material<R> {
     /// State variables of undeformed points, in as many blocks of eight: none in an elastic material.
     #[must_use]
     pub fn state(&self, blocks: usize) -> StateVariables<R> {
-        let of_law = self.law.description().state;
+        let of_law = self.law.state();
         let state = if of_law.is_empty() && !self.maxwell.is_empty() {
             undeformed(self.maxwell.len())
         } else {
@@ -66,7 +66,11 @@ impl<R: Real> Material<R> {
         for (decay, term) in decays.iter_mut().zip(&self.maxwell) {
             *decay = term.decay(step.dt);
         }
-        let branches = Branches { decays: &decays[..self.maxwell.len()], add_work: step.add_work };
+        let branches = Branches {
+            decays: &decays[..self.maxwell.len()],
+            add_work: step.add_work,
+            step: step.dt,
+        };
         let mut slot: Slot<P> = None;
         self.law.stage(&branches, &mut slot);
         let Some(stage) = slot else { unreachable!("a law fills the slot") };
@@ -118,7 +122,7 @@ impl<R: Real> Material<R> {
                 allowed,
             ));
         }
-        if !self.law.description().state.is_empty() && !self.maxwell.is_empty() {
+        if !self.law.state().is_empty() && !self.maxwell.is_empty() {
             let allowed =
                 "it must be 0, since the law has state variables of its own (as a metal that yields has)";
             return Err(FemError::input(

@@ -7,6 +7,7 @@
 use super::description::Description;
 use super::energy::Energy;
 use super::law::PointLaw;
+use super::own::OwnFunction;
 use super::viscous::Branches;
 use crate::error::FemError;
 use clubface_math::{Dual, Pack, Real, Scalar};
@@ -57,6 +58,8 @@ pub enum Origin<'a> {
     Table(Entry),
     /// An energy that a file has written down.
     Energy(&'a Arc<Energy>),
+    /// A function of C.
+    Own(&'a Arc<OwnFunction>),
 }
 
 /// A law of the change of shape with its constants.
@@ -72,7 +75,12 @@ pub trait Law<R: Real>: Debug + Send + Sync {
                 entry.description.constants.iter().map(|constant| constant.name).collect()
             }
             Origin::Energy(energy) => energy.constants().iter().map(String::as_str).collect(),
+            Origin::Own(function) => function.constants().iter().map(String::as_str).collect(),
         }
+    }
+    /// State variables of a point before any deformation, none for an elastic law.
+    fn state(&self) -> &[f64] {
+        self.description().state
     }
     /// Its constants, SI, in the order of the description.
     fn constants(&self) -> &[R];

@@ -16,6 +16,7 @@ mod laws;
 mod mooney_rivlin;
 mod neo_hookean;
 mod ogden;
+mod own;
 mod plane_stress;
 mod point;
 mod stage;
@@ -37,10 +38,11 @@ pub use hencky::Hencky;
 pub use law::{
     Elastic, Inelastic, InvariantKinematics, Invariants, Isochoric, OfInvariants, PointLaw, WithState,
 };
-pub use laws::{LAWS, law_from_name};
+pub use laws::{LAWS, law_from_name, unchecked_law};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{OGDEN_TERMS, Ogden};
+pub use own::{LawFunction, OWN_NUMBERS, OwnFunction, register_law, registered};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
 pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};

@@ -81,6 +81,7 @@ pub(super) struct Branching<P> {
     decays: [Decay<P>; MAX_TERMS],
     count: usize,
     add_work: bool,
+    step: f64,
 }
 
 impl<P: Pack> Branching<P> {
@@ -92,7 +93,7 @@ impl<P: Pack> Branching<P> {
             let Decay { way, half } = branches.decays[i];
             decays[i] = Decay { way: P::splat(way), half: P::splat(half) };
         }
-        Self { decays, count, add_work: branches.add_work }
+        Self { decays, count, add_work: branches.add_work, step: branches.step }
     }
     #[inline(always)]
     pub(super) fn is_empty(&self) -> bool {
@@ -100,7 +101,7 @@ impl<P: Pack> Branching<P> {
     }
     #[inline(always)]
     pub(super) fn branches(&self) -> Branches<'_, P> {
-        Branches { decays: &self.decays[..self.count], add_work: self.add_work }
+        Branches { decays: &self.decays[..self.count], add_work: self.add_work, step: self.step }
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::description::Description;
 use super::family::{DERIVATIVES, Entry, Family, Law, Origin};
+use super::own::{OwnFunction, Points};
 use super::stage::{Slot, Stage, StressStage};
 use super::viscous::Branches;
 use crate::error::FemError;
@@ -21,6 +22,8 @@ pub trait Number: Real + Pack<Real = Self> {
     fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>>;
     /// Fills a slot with the stage of a law, for the type of packs that the slot asks for.
     fn stage(law: &impl Staged<Self>, branches: &Branches<Self>, slot: &mut dyn Any);
+    /// Calls a function of C for some points.
+    fn call(points: &mut Points<Self>, function: &OwnFunction, constants: &[Self], step: f64);
 }
 
 /// A law that has a stage for packs of every type.
@@ -56,13 +59,13 @@ pub fn map_law<R: Real, T: Number>(
 ) -> Arc<dyn Law<T>> {
     let named = law.constant_names().into_iter().zip(law.constants());
     let constants: Vec<T> = named.map(|(name, value)| number(name, *value)).collect();
-    match law.origin() {
-        Origin::Table(entry) => T::law(&entry, &constants),
-        Origin::Energy(energy) => match energy.law(&constants) {
-            Ok(law) => law,
-            Err(_) => unreachable!("as many constants as the law has"),
-        },
-    }
+    let made = match law.origin() {
+        Origin::Table(entry) => Ok(T::law(&entry, &constants)),
+        Origin::Energy(energy) => energy.law(&constants),
+        Origin::Own(function) => function.law(&constants),
+    };
+    let Ok(law) = made else { unreachable!("as many constants as the law has") };
+    law
 }
 
 /// The line of a law that takes as many constants.
@@ -186,6 +189,9 @@ macro_rules! number {
                     return;
                 })+
                 unreachable!("packs that laws are not compiled for");
+            }
+            fn call(points: &mut Points<Self>, function: &OwnFunction, constants: &[Self], step: f64) {
+                points.call(function, constants, step);
             }
         }
     };

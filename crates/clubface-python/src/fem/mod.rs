@@ -12,11 +12,14 @@ use crate::describe::describe;
 use clubface_fem::FemError;
 use clubface_fem::description::{BallDescription, CaseDescription};
 use clubface_fem::environment::Environment;
-use clubface_fem::material::{DERIVATIVES, Energy, LAWS, Law, entry_from_name, map_law};
+use clubface_fem::material::{
+    DERIVATIVES, Energy, LAWS, Law, LawFunction, OwnFunction, map_law, register_law, unchecked_law,
+};
 use clubface_fem::solve::Progress;
 use clubface_math::Dual;
 use described::{Described, to_py_error};
 use numpy::{PyArray1, PyArray2};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use run::{on_threads, record, run_pool};
@@ -30,11 +33,32 @@ pub fn fem_laws(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     describe(py, &laws)
 }
 
-/// The law of a piece: one of the table, or an energy with its constants.
+/// Makes a function of C at an address a law that materials name, with the names of its constants, values of them (SI) to
+/// check it with, and its number of state variables; returns its shear modulus (Pa).
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_register_law(
+    name: &str,
+    address: usize,
+    constants: Vec<String>,
+    values: Vec<f64>,
+    states: usize,
+) -> PyResult<f64> {
+    if address == 0 {
+        return Err(PyValueError::new_err("a null address"));
+    }
+    // SAFETY: whoever registers the law promises a function of this kind at the address.
+    let function = unsafe { std::mem::transmute::<usize, LawFunction>(address) };
+    // SAFETY: as above.
+    let function = unsafe { OwnFunction::new(name, constants, states, function) };
+    function.and_then(|function| register_law(function, &values)).map_err(|e| to_py_error(&e))
+}
+
+/// The law of a piece: one by name, or an energy with its constants.
 fn law_of(law: &str, constants: &[f64], energy: Option<&str>) -> Result<Arc<dyn Law<f64>>, FemError> {
     match energy {
         Some(energy) => Arc::new(Energy::new(energy)?).law(constants),
-        None => Ok((entry_from_name(LAWS, law, constants.len())?.plain)(constants)),
+        None => unchecked_law(law, constants),
     }
 }
 
