@@ -326,7 +326,8 @@ unsafe extern "C" fn rivlin(
     for i in 0..count {
         let c = |row: usize| shapes[row * count + i];
         let first = c(0) + c(1) + c(2);
-        let square: f64 = (0..6).map(|row| if row < 3 { c(row) * c(row) } else { 2.0 * c(row) * c(row) }).sum();
+        let square: f64 =
+            (0..6).map(|row| if row < 3 { c(row) * c(row) } else { 2.0 * c(row) * c(row) }).sum();
         for row in 0..6 {
             let one = if row < 3 { 2.0 * (constants[0] + constants[1] * first) } else { 0.0 };
             results[row * count + i] = one - 2.0 * constants[1] * c(row);
@@ -362,7 +363,10 @@ fn a_law_of_the_caller_is_the_same_law_in_the_core() {
     assert_eq!(refused("linear", Some(rivlin), &description), "name");
     assert_eq!(refused("mine", None, &description), "function");
     assert_eq!(refused("mine", Some(rivlin), "{}"), "description");
-    assert_eq!(refused("mine", Some(rivlin), &description.replace("4e6", "-4e6").replace("4000000.0", "-4e6")), "law of mine");
+    assert_eq!(
+        refused("mine", Some(rivlin), &description.replace("4e6", "-4e6").replace("4000000.0", "-4e6")),
+        "law of mine"
+    );
 }
 
 #[test]

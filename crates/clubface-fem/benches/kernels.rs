@@ -7,7 +7,7 @@
 
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::material::{
-    Energy, Hardening, Hencky, Material, Maxwell, MooneyRivlin, VonMises, law_from_name,
+    Energy, Hardening, Hencky, Material, Maxwell, MooneyRivlin, OwnFunction, VonMises, law_from_name,
 };
 use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_math::Row;
@@ -26,6 +26,37 @@ fn least(elements: usize, mut work: impl FnMut()) -> f64 {
         least = least.min(start.elapsed());
     }
     least.as_secs_f64() * 1e9 / elements as f64
+}
+
+/// Mooney-Rivlin as one would write it in C.
+unsafe extern "C" fn rivlin(
+    count: usize,
+    shapes: *const f64,
+    constants: *const f64,
+    _: f64,
+    _: *mut f64,
+    results: *mut f64,
+) {
+    // SAFETY: rows of as many numbers, as the caller has them.
+    let (shapes, constants, results) = unsafe {
+        (
+            std::slice::from_raw_parts(shapes, 6 * count),
+            std::slice::from_raw_parts(constants, 2),
+            std::slice::from_raw_parts_mut(results, 8 * count),
+        )
+    };
+    let (c10, c01) = (constants[0], constants[1]);
+    for i in 0..count {
+        let c: [f64; 6] = std::array::from_fn(|row| shapes[row * count + i]);
+        let first = c[0] + c[1] + c[2];
+        let square =
+            c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + 2.0 * (c[3] * c[3] + c[4] * c[4] + c[5] * c[5]);
+        for row in 0..6 {
+            let one = if row < 3 { 2.0 * (c10 + c01 * first) } else { 0.0 };
+            results[row * count + i] = one - 2.0 * c01 * c[row];
+        }
+        results[6 * count + i] = c10 * (first - 3.0) + c01 * (0.5 * (first * first - square) - 3.0);
+    }
 }
 
 fn main() {
@@ -53,7 +84,11 @@ fn main() {
     let written = energy("c10*(I1-3) + c01*(I2-3)", &[4e6, 1e6]);
     let yeoh = energy("c10*(I1-3) + c20*(I1-3)^2 + c30*(I1-3)^3", &[5e6, 1e5, 1e4]);
     let gent = energy("-mu/2*limit*log(1 - (I1-3)/limit)", &[1e7, 20.0]);
-    let fung = energy("mu/(2*b)*(exp(b*(I1-3)) - 1)", &[1e7, 0.3]);
+    let demiray = energy("mu/(2*b)*(exp(b*(I1-3)) - 1)", &[1e7, 0.3]);
+    // SAFETY: it does what such a function does.
+    let function = unsafe { OwnFunction::new("rivlin", vec!["c10".into(), "c01".into()], 0, rivlin) };
+    let function = Arc::new(function.expect("two constants"));
+    let compiled = function.law(&[4e6, 1e6]).expect("both constants");
     let branch = Maxwell { modulus: 0.3, time: 1e-4 };
     let materials = [
         ("Mooney-Rivlin", with_law(rubber.clone())),
@@ -66,7 +101,8 @@ fn main() {
         ("Mooney-Rivlin as an energy, one branch", Material { maxwell: vec![branch], ..written }),
         ("Yeoh as an energy", yeoh),
         ("Gent as an energy", gent),
-        ("Fung as an energy", fung),
+        ("Demiray as an energy", demiray),
+        ("Mooney-Rivlin as a function of C", with_law(compiled)),
     ];
     for (name, material) in &materials {
         for (arrangement, element, mesh) in [

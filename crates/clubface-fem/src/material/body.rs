@@ -66,11 +66,8 @@ impl<R: Real> Material<R> {
         for (decay, term) in decays.iter_mut().zip(&self.maxwell) {
             *decay = term.decay(step.dt);
         }
-        let branches = Branches {
-            decays: &decays[..self.maxwell.len()],
-            add_work: step.add_work,
-            step: step.dt,
-        };
+        let branches =
+            Branches { decays: &decays[..self.maxwell.len()], add_work: step.add_work, step: step.dt };
         let mut slot: Slot<P> = None;
         self.law.stage(&branches, &mut slot);
         let Some(stage) = slot else { unreachable!("a law fills the slot") };

@@ -91,33 +91,44 @@ impl<R: Number> OwnLaw<R> {
         let shown = &self.function.name;
         for (constant, value) in self.function.constants.iter().zip(&*self.constants) {
             if !value.re().is_finite() {
-                return Err(FemError::input(format!("{constant} of {name}"), value.re(), "it must be finite"));
+                return Err(FemError::input(
+                    format!("{constant} of {name}"),
+                    value.re(),
+                    "it must be finite",
+                ));
             }
         }
         let law = format!("law of {name}");
-        let refused = |what: String, allowed: &str| Err(FemError::input(&*law, format!("{shown} {what}"), allowed));
+        let refused =
+            |what: String, allowed: &str| Err(FemError::input(&*law, format!("{shown} {what}"), allowed));
         // More points than one, so that a function that confuses rows and points is found out.
         let rest = self.results(&[Symmetric::diagonal(1.0); 3]);
         let written = &rest.results[..(ENERGY + 1) * rest.count];
         if written.iter().chain(&rest.states).any(|each| !each.re().is_finite()) {
-            let allowed = "it must write seven finite numbers for each point: the stress in six rows, and the energy";
+            let allowed =
+                "it must write seven finite numbers for each point: the stress in six rows, and the energy";
             return refused("at rest".to_owned(), allowed);
         }
         let moduli: Vec<f64> = self.shear_moduli().iter().map(|each| each.re()).collect();
         if let Some(modulus) = moduli.iter().find(|&&each| !(each > 0.0 && each.is_finite())) {
-            return refused(format!("with a shear modulus of {modulus} Pa"), "it must be stiff at rest in every direction");
+            return refused(
+                format!("with a shear modulus of {modulus} Pa"),
+                "it must be stiff at rest in every direction",
+            );
         }
         let shear = moduli.into_iter().fold(0.0, f64::max);
         for point in 0..rest.count {
             let [energy, heat] = [ENERGY, ENERGY + 1].map(|row| rest.results[row * rest.count + point].re());
             if energy.abs().max(heat.abs()) > ROUNDING * shear {
-                let what = format!("with an energy of {energy:.6e} J/m3 at rest, and heat of {heat:.6e} J/m3");
+                let what =
+                    format!("with an energy of {energy:.6e} J/m3 at rest, and heat of {heat:.6e} J/m3");
                 return refused(what, "both must be zero at rest, where C is the identity");
             }
             // A multiple of the identity is a pressure, which is taken out.
             let stress: [f64; 6] = std::array::from_fn(|row| rest.results[row * rest.count + point].re());
             let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
-            let largest = AXES.iter().zip(stress).map(|((i, j), each)| if i == j { each - mean } else { each });
+            let largest =
+                AXES.iter().zip(stress).map(|((i, j), each)| if i == j { each - mean } else { each });
             let largest = largest.fold(0.0, |most: f64, each| most.max(each.abs()));
             if largest > ROUNDING * shear {
                 let what = format!("with a stress of {largest:.6e} Pa at rest");
@@ -127,7 +138,10 @@ impl<R: Number> OwnLaw<R> {
         self.check_slopes(shear)
             .or_else(|what| refused(what, "the stress must be 2 dW/dC, its rows xx, yy, zz, xy, xz, yz"))?;
         self.check_turned(shear).or_else(|what| {
-            refused(what, "it must be isotropic: elements hand it their own axes, which differ from one to the next")
+            refused(
+                what,
+                "it must be isotropic: elements hand it their own axes, which differ from one to the next",
+            )
         })
     }
 
@@ -141,7 +155,9 @@ impl<R: Number> OwnLaw<R> {
             for [one, other] in [of_energy, of_stress] {
                 // No number is no small difference.
                 if !((one - other).abs() <= ROUNDING * shear) {
-                    return Err(format!("with {other:.6e} where the axes are turned, and {one:.6e} where they are not"));
+                    return Err(format!(
+                        "with {other:.6e} where the axes are turned, and {one:.6e} where they are not"
+                    ));
                 }
             }
         }

@@ -93,7 +93,8 @@ impl OwnFunction {
         states: usize,
         function: LawFunction,
     ) -> Result<Self, FemError> {
-        for (what, count) in [("number of constants", constants.len()), ("number of state variables", states)] {
+        for (what, count) in [("number of constants", constants.len()), ("number of state variables", states)]
+        {
             if count > OWN_NUMBERS {
                 let allowed = format!("it must be at most {OWN_NUMBERS}");
                 return Err(FemError::input(format!("{what} of {name}"), count, allowed));

@@ -30,7 +30,9 @@ impl Points<f64> {
     /// Calls a function.
     pub fn call(&mut self, function: &OwnFunction, constants: &[f64], step: f64) {
         let Self { count, shapes, states, results } = self;
-        assert!(constants.len() == function.constants.len() && states.len() == function.states.len() * *count);
+        assert!(
+            constants.len() == function.constants.len() && states.len() == function.states.len() * *count
+        );
         assert!(shapes.len() == SHAPES * *count && results.len() == RESULTS * *count);
         // What it does not write is no number, so that a run stops; heat need not be written.
         let (written, heat) = results.split_at_mut((RESULTS - 1) * *count);
@@ -78,7 +80,9 @@ impl<const N: usize> Points<Dual<f64, N>> {
                 .shapes
                 .iter()
                 .map(|each| tangent(each).abs())
-                .chain(constants.iter().chain(&self.states).map(|each| tangent(each).abs() / size(each.value)))
+                .chain(
+                    constants.iter().chain(&self.states).map(|each| tangent(each).abs() / size(each.value)),
+                )
                 .fold(0.0, f64::max);
             if fastest == 0.0 || !fastest.is_finite() {
                 continue;
@@ -95,7 +99,8 @@ impl<const N: usize> Points<Dual<f64, N>> {
                     results: vec![0.0; self.results.len()],
                 };
                 there.call(function, &moved(constants), step);
-                for (slopes, values) in [(&mut *of_results, &there.results), (&mut *of_states, &there.states)] {
+                for (slopes, values) in [(&mut *of_results, &there.results), (&mut *of_states, &there.states)]
+                {
                     for (slope, value) in slopes.iter_mut().zip(values) {
                         *slope += weight / (12.0 * width) * value;
                     }

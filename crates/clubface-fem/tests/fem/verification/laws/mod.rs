@@ -4,6 +4,7 @@
 
 mod energies;
 mod gent;
+mod own;
 
 use crate::support::Random;
 use clubface_fem::material::{
@@ -55,6 +56,7 @@ fn elastic<R: Number>() -> Vec<(String, Material<R>)> {
     all.push(("Ogden, two terms".into(), material(named("ogden", &[4e6, 3.5, -3e6, -2.0]))));
     all.push(("von Mises".into(), material(named("von-mises", &[10e6, 1e150, 0.0, 0.0]))));
     all.extend(energies::examples());
+    all.extend(own::examples());
     all
 }
 
