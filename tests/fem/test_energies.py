@@ -1,7 +1,6 @@
 """Materials by an energy of one's own: the built-in laws written so, what is refused and where, and derivatives."""
 
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +11,7 @@ from clubface.fem import keyword
 from clubface.fem.case import case
 from clubface.fem.energies import Energy
 from clubface.fem.materials import Material
-from fem_runs import coarse, write_case
+from fem_runs import of_core, write_case
 
 LAW = 'law = "mooney-rivlin"\n'
 RIVLIN = 'energy = "c10*(I1-3) + c01*(I2-3)"\n'
@@ -23,13 +22,6 @@ SETTINGS = fem.Settings(until_separation=True)
 def rubber(energy=YEOH, poisson=0.49, **constants):
     constants = constants or {"c10": "4 MPa", "c20": "0.3 MPa"}
     return Material(energy=energy, constants=constants, poisson=poisson, density="1150 kg/m3")
-
-
-def of_core(material):
-    """A coarse ball whose core is of a material."""
-    ball = coarse()
-    core, *around = ball.pieces
-    return replace(ball, pieces=(replace(core, material=replace(material, density=None)), *around))
 
 
 def test_a_ball_whose_file_writes_its_law_as_an_energy_is_the_same_ball(tmp_path):

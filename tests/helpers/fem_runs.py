@@ -15,6 +15,13 @@ def coarse(name="reference"):
     return replace(made, cube=4, pieces=tuple(replace(piece, layers=1) for piece in made.pieces))
 
 
+def of_core(material, **changes):
+    """A coarse ball whose core is of a material."""
+    ball = coarse()
+    core, *around = ball.pieces
+    return replace(ball, pieces=(replace(core, material=replace(material, density=None)), *around), **changes)
+
+
 def throw_case(**settings):
     """Roh and Lee's ball, coarse, thrown at a plane as in the reference case."""
     return Case(

@@ -7,7 +7,9 @@ use crate::contact::{ContactMethod, Grooves};
 use crate::element::{DEFAULT_POINTS, Element, Isotropic, Rule, ShellMaterial};
 use crate::environment::Environment;
 use crate::head::{DeformableHead, Driver, ShellHead, ShellPart, SolidHead};
-use crate::material::{Energy, Hardening, Hencky, Material, Maxwell, VonMises, law_from_name};
+use crate::material::{
+    Energy, Hardening, Hencky, Material, Maxwell, VolumeLaw, Volumetric, VonMises, law_from_name,
+};
 use crate::mesh::{DriverFineness, DriverShape, DriverThickness, ShellMesh, SolidMesh, Target, Trim};
 use crate::sensitivity::ImpactSetup;
 use crate::solve::{Options, Recording, Simulation};
@@ -45,6 +47,8 @@ described! {
         constants: Vec<f64>,
         /// The energy whose constants they are, for the law "energy".
         energy: Option<String>,
+        /// The energy of the change of volume, if it is not `bulk/2*(J - 1)^2`.
+        volumetric: Option<String>,
         /// Bulk modulus, Pa.
         bulk: f64,
         /// Viscoelastic branches: shear modulus over that of the law, relaxation time (s).
@@ -356,6 +360,10 @@ impl BallDescription {
             let law = match &piece.energy {
                 Some(energy) => Arc::new(Energy::new(energy)?).law(&piece.constants)?,
                 None => law_from_name(&piece.law, &piece.constants)?,
+            };
+            let law = match &piece.volumetric {
+                Some(text) => VolumeLaw::over(law, &Arc::new(Volumetric::new(text)?)),
+                None => law,
             };
             let maxwell = piece.maxwell.iter().map(|&(modulus, time)| Maxwell { modulus, time }).collect();
             let material = Material { law, bulk: piece.bulk, maxwell, density: piece.density };

@@ -31,7 +31,7 @@ mod _core {
     use crate::fem::{
         FemImpact, fem_ball, fem_check_law, fem_driver, fem_energy, fem_energy_instability,
         fem_energy_values, fem_head_properties, fem_impact, fem_iron, fem_laws, fem_mesh, fem_register_law,
-        fem_sensitivity, fem_shear, fem_thickness_points, fem_variables, fem_yield_stress,
+        fem_sensitivity, fem_shear, fem_thickness_points, fem_variables, fem_volumetric, fem_yield_stress,
     };
     #[pymodule_export]
     use crate::flight::{curves, fly, fly_sensitivities, fly_sensitivity, shot_shape_names, trajectory};

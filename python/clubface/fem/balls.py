@@ -45,6 +45,7 @@ NOT_CONSTANTS = (
     "law",
     "youngs",
     "energy",
+    "volumetric",
     "poisson",
     "density",
     "maxwell",
@@ -115,6 +116,7 @@ def _piece_keys() -> Mapping[str, Value]:
         "law": Choice(lambda: tuple(laws())),
         "youngs": PhysicalValue("MPa"),
         "energy": TEXT,
+        "volumetric": TEXT,
     }
     more = {"poisson": PhysicalValue("1"), "density": PhysicalValue("kg/m3"), "maxwell": Tables(Table(Maxwell))}
     return own | more | {name: PhysicalValue(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
@@ -280,6 +282,7 @@ class Ball:
                 "law": piece.material.law,
                 "constants": list(piece.material.constants.values()),
                 **({} if piece.material.energy is None else {"energy": piece.material.energy}),
+                **({} if piece.material.volumetric is None else {"volumetric": piece.material.volumetric}),
                 "bulk": piece.material.bulk,
                 "maxwell": [(branch.modulus, branch.time) for branch in piece.material.maxwell],
                 "density": piece.material.density or 0.0,

@@ -26,6 +26,7 @@ from clubface._core import (
     fem_shear as fem_shear,
     fem_thickness_points as fem_thickness_points,
     fem_variables as fem_variables,
+    fem_volumetric as fem_volumetric,
     fem_yield_stress as fem_yield_stress,
 )
 from clubface.errors import InputError, ShotError

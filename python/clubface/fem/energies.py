@@ -126,6 +126,17 @@ class Energy:
         return np.asarray(rows, dtype=float).reshape(-1, 3)
 
 
+def check_volumetric(text: str) -> None:
+    """Raise InputError for an energy of the change of volume that cannot be read, or that is none at rest."""
+    if not isinstance(text, str):
+        raise InputError("volumetric", text, 'an expression in quotes, as in "bulk/4*(J^2 - 1 - 2*log(J))"')
+    try:
+        core.fem_volumetric(text, 1.0, [])
+    except ValueError as error:
+        name, value, allowed = error.args if len(error.args) == 3 else ("volumetric", text, "text of letters")
+        raise InputError(name, Wording(value), _allowed(allowed)) from None
+
+
 @lru_cache(maxsize=256)
 def _read(text: str) -> Energy:
     try:

@@ -390,6 +390,8 @@ def _material(deck: Cards, number: int, material: Material, density: float) -> N
     allowed = "a law that LS-DYNA has a card for, such as ogden"
     if material.energy is not None:
         raise InputError("energy", material.energy, allowed)
+    if material.volumetric is not None:
+        raise InputError("volumetric", material.volumetric, "left out: LS-DYNA has a change of volume of its own")
     if material.law in REGISTERED:
         raise InputError("law", material.law, allowed)
     if material.law == "ogden":

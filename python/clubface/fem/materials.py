@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from clubface import units
 from clubface.errors import InputError, Wording
 from clubface.fem import core
-from clubface.fem.energies import ENERGY, Energy
+from clubface.fem.energies import ENERGY, Energy, check_volumetric
 from clubface.schema import PhysicalValue, check_values, file_key
 from clubface.support.checks import Frozen, check_choice, check_names
 
@@ -32,6 +32,8 @@ class Law(NamedTuple):
         How many of the others come at a time.
     summary
         One line about it.
+    states
+        Number of state variables of a law of one's own.
     """
 
     name: str
@@ -39,6 +41,7 @@ class Law(NamedTuple):
     needed: int
     group: int
     summary: str
+    states: int = 0
 
     def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
@@ -126,6 +129,9 @@ class Material:
         The constants of the law, or of the energy, by name [Pa; exponents are plain numbers].
     poisson
         Poisson's ratio at small strain, below 0.5; it sets the bulk modulus.
+    volumetric
+        The energy of the change of volume per unit reference volume as an expression in its ratio J and the bulk
+        modulus, as in "bulk/4*(J^2 - 1 - 2*log(J))"; "bulk/2*(J - 1)^2" unless given.
     density
         Density [kg/m3]; None for a core that takes what the mass of the ball leaves.
     maxwell
@@ -136,6 +142,7 @@ class Material:
     constants: Mapping[str, float]
     poisson: float
     energy: str | None = None
+    volumetric: str | None = None
     density: float | None = None
     maxwell: tuple[Maxwell, ...] = field(default=())
 
@@ -150,9 +157,13 @@ class Material:
             object.__setattr__(self, "density", units.parse(self.density, "density", name="density"))
             if not 10.0 <= self.density <= 30e3:
                 raise InputError("density", units.show(self.density, "kg/m3"), "10 to 30000 kg/m3")
+        if self.volumetric is not None:
+            check_volumetric(self.volumetric)
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
+        if self.maxwell and isinstance(law, Law) and law.states:
+            raise InputError("maxwell", len(self.maxwell), "left out, since the law has state variables of its own")
         law.check(values)
         if not SHEAR[0] <= self.shear <= SHEAR[1]:
             if self.energy is not None:
@@ -199,7 +210,14 @@ class Material:
         return 2.0 * self.shear * (1.0 + self.poisson)
 
     @classmethod
-    def linear(cls, youngs: Any, poisson: Any, density: Any = None, maxwell: Sequence[Maxwell] = ()) -> Material:
+    def linear(
+        cls,
+        youngs: Any,
+        poisson: Any,
+        density: Any = None,
+        maxwell: Sequence[Maxwell] = (),
+        volumetric: str | None = None,
+    ) -> Material:
         """Return a material that is linear in logarithmic strain, from Young's modulus and Poisson's ratio."""
         modulus = units.parse(youngs, "pressure", name="youngs")
         ratio = units.parse(poisson, units.DIMENSIONLESS, name="poisson")
@@ -210,7 +228,8 @@ class Material:
         shear = modulus / (2.0 * (1.0 + ratio))
         if not SHEAR[0] <= shear <= SHEAR[1]:
             raise InputError("youngs", units.show(modulus, "MPa"), _shear_allowed(shear))
-        return cls(law="linear", constants={"shear": shear}, poisson=ratio, density=density, maxwell=tuple(maxwell))
+        return cls(law="linear", constants={"shear": shear}, poisson=ratio, volumetric=volumetric, density=density,
+                   maxwell=tuple(maxwell))  # fmt: skip
 
 
 def _shear_allowed(shear: float) -> str:

@@ -98,5 +98,5 @@ def register_law(
         label = label.removesuffix(f" of {name}").replace("law", "function")
         raise InputError(label, Wording(value), allowed.removeprefix("it must be ")) from None
     _functions.append(function)
-    REGISTERED[name] = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own")
+    REGISTERED[name] = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own", states)
     return REGISTERED[name]

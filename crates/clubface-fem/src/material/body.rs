@@ -3,6 +3,7 @@
 use super::family::Law;
 use super::stage::{Slot, StressStage};
 use super::state_variables::{StateVariables, Update};
+use super::step::MaterialStep;
 use super::viscous::{Branches, Decay, MAX_TERMS, Maxwell, undeformed};
 use crate::error::FemError;
 use clubface_math::{Pack, Real};
@@ -66,10 +67,13 @@ impl<R: Real> Material<R> {
         for (decay, term) in decays.iter_mut().zip(&self.maxwell) {
             *decay = term.decay(step.dt);
         }
-        let branches =
-            Branches { decays: &decays[..self.maxwell.len()], add_work: step.add_work, step: step.dt };
+        let step = MaterialStep {
+            branches: Branches { decays: &decays[..self.maxwell.len()], add_work: step.add_work },
+            bulk: self.bulk,
+            time: step.dt,
+        };
         let mut slot: Slot<P> = None;
-        self.law.stage(&branches, &mut slot);
+        self.law.stage(&step, &mut slot);
         let Some(stage) = slot else { unreachable!("a law fills the slot") };
         stage
     }

@@ -5,10 +5,10 @@
 //! and the contract tests are all made from the table.
 
 use super::description::Description;
-use super::energy::Energy;
+use super::energy::{Energy, Volumetric};
 use super::law::PointLaw;
 use super::own::OwnFunction;
-use super::viscous::Branches;
+use super::step::MaterialStep;
 use crate::error::FemError;
 use clubface_math::{Dual, Pack, Real, Scalar};
 use std::any::Any;
@@ -66,6 +66,10 @@ pub enum Origin<'a> {
 pub trait Law<R: Real>: Debug + Send + Sync {
     /// What makes it of its constants.
     fn origin(&self) -> Origin<'_>;
+    /// The energy of the change of volume that stands with it, if it is not the common one.
+    fn volumetric(&self) -> Option<&Arc<Volumetric>> {
+        None
+    }
     /// Description of the law.
     fn description(&self) -> &'static Description;
     /// Names of its constants, as in files.
@@ -92,5 +96,5 @@ pub trait Law<R: Real>: Debug + Send + Sync {
     /// [`FemError::Input`] that names the first constant that is not allowed.
     fn check(&self, name: &str) -> Result<(), FemError>;
     /// Fills a `Slot` with the stage of a step, for packs of the slot's type.
-    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any);
+    fn stage(&self, step: &MaterialStep<R>, slot: &mut dyn Any);
 }

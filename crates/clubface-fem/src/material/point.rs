@@ -46,6 +46,7 @@ impl<R: Number> MaterialPoint<R> {
             step: 0,
             state: &mut self.state,
             c: &[at.c],
+            volumes: &[at.deformation.volume],
             energies: &mut energies,
         });
         let [mut energy] = energies;

@@ -58,6 +58,8 @@ pub struct EnergyPoints<'a, P: Pack> {
     pub state: &'a mut StateVariables<P::Real>,
     /// `C̄`.
     pub c: &'a [Symmetric<P>],
+    /// Determinants of the gradients.
+    pub volumes: &'a [P],
     /// What is asked for.
     pub energies: &'a mut [PointEnergy<P>],
 }
@@ -81,7 +83,6 @@ pub(super) struct Branching<P> {
     decays: [Decay<P>; MAX_TERMS],
     count: usize,
     add_work: bool,
-    step: f64,
 }
 
 impl<P: Pack> Branching<P> {
@@ -93,7 +94,7 @@ impl<P: Pack> Branching<P> {
             let Decay { way, half } = branches.decays[i];
             decays[i] = Decay { way: P::splat(way), half: P::splat(half) };
         }
-        Self { decays, count, add_work: branches.add_work, step: branches.step }
+        Self { decays, count, add_work: branches.add_work }
     }
     #[inline(always)]
     pub(super) fn is_empty(&self) -> bool {
@@ -101,7 +102,7 @@ impl<P: Pack> Branching<P> {
     }
     #[inline(always)]
     pub(super) fn branches(&self) -> Branches<'_, P> {
-        Branches { decays: &self.decays[..self.count], add_work: self.add_work, step: self.step }
+        Branches { decays: &self.decays[..self.count], add_work: self.add_work }
     }
 }
 
@@ -223,7 +224,7 @@ impl<P: Pack, L: PointLaw<P>> Computation for Energy<'_, '_, P, L> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let EnergyPoints { lane, step, state, c, energies } = self.1;
+        let EnergyPoints { lane, step, state, c, energies, .. } = self.1;
         let Stage { law, branching } = self.0;
         assert!(c.len() == energies.len());
         for i in 0..c.len() {

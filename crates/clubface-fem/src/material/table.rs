@@ -2,9 +2,11 @@
 //! for all of its packs.
 
 use super::description::Description;
+use super::energy::VolumeLaw;
 use super::family::{DERIVATIVES, Entry, Family, Law, Origin};
 use super::own::{OwnFunction, Points};
 use super::stage::{Slot, Stage, StressStage};
+use super::step::MaterialStep;
 use super::viscous::Branches;
 use crate::error::FemError;
 #[cfg(any(target_arch = "aarch64", all(target_arch = "wasm32", target_feature = "simd128")))]
@@ -21,7 +23,7 @@ pub trait Number: Real + Pack<Real = Self> {
     /// The law of a line of a table.
     fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>>;
     /// Fills a slot with the stage of a law, for the type of packs that the slot asks for.
-    fn stage(law: &impl Staged<Self>, branches: &Branches<Self>, slot: &mut dyn Any);
+    fn stage(law: &impl Staged<Self>, step: &MaterialStep<Self>, slot: &mut dyn Any);
     /// Calls a function of C for some points.
     fn call(points: &mut Points<Self>, function: &OwnFunction, constants: &[Self], step: f64);
 }
@@ -29,7 +31,7 @@ pub trait Number: Real + Pack<Real = Self> {
 /// A law that has a stage for packs of every type.
 pub trait Staged<R: Real> {
     /// Its stage in a step.
-    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>>;
+    fn boxed<P: Pack<Real = R>>(&self, step: &MaterialStep<R>) -> Box<dyn StressStage<P>>;
 }
 
 /// The line of a law.
@@ -64,8 +66,11 @@ pub fn map_law<R: Real, T: Number>(
         Origin::Energy(energy) => energy.law(&constants),
         Origin::Own(function) => function.law(&constants),
     };
-    let Ok(law) = made else { unreachable!("as many constants as the law has") };
-    law
+    let Ok(made) = made else { unreachable!("as many constants as the law has") };
+    match law.volumetric() {
+        Some(volumetric) => VolumeLaw::over(made, volumetric),
+        None => made,
+    }
 }
 
 /// The line of a law that takes as many constants.
@@ -136,8 +141,8 @@ impl<F: Family, R: Number> Law<R> for Built<F, R> {
         }
         Ok(())
     }
-    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any) {
-        R::stage(self, branches, slot);
+    fn stage(&self, step: &MaterialStep<R>, slot: &mut dyn Any) {
+        R::stage(self, step, slot);
     }
 }
 
@@ -147,10 +152,10 @@ pub fn build<F: Family, R: Number>(constants: &[R]) -> Arc<dyn Law<R>> {
 }
 
 impl<F: Family, R: Number> Staged<R> for Built<F, R> {
-    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>> {
+    fn boxed<P: Pack<Real = R>>(&self, step: &MaterialStep<R>) -> Box<dyn StressStage<P>> {
         <P as Scalar>::outline(MakeStage::<F, P> {
             constants: &self.constants,
-            branches,
+            branches: &step.branches,
             family: PhantomData,
         })
     }
@@ -182,10 +187,10 @@ macro_rules! number {
             fn law(entry: &Entry, constants: &[Self]) -> Arc<dyn Law<Self>> {
                 (entry.$law)(constants)
             }
-            fn stage(law: &impl Staged<Self>, branches: &Branches<Self>, slot: &mut dyn Any) {
+            fn stage(law: &impl Staged<Self>, step: &MaterialStep<Self>, slot: &mut dyn Any) {
                 $($(#[$where])?
                 if let Some(slot) = slot.downcast_mut::<Slot<$pack>>() {
-                    *slot = Some(law.boxed::<$pack>(branches));
+                    *slot = Some(law.boxed::<$pack>(step));
                     return;
                 })+
                 unreachable!("packs that laws are not compiled for");

@@ -43,8 +43,6 @@ pub struct Branches<'a, S> {
     pub decays: &'a [Decay<S>],
     /// Whether the work done on them since it was last added up is added up.
     pub add_work: bool,
-    /// The step, s.
-    pub step: f64,
 }
 
 /// What a point keeps for the energies only: `C̄` and the stress of all branches when their work was last added up,
@@ -78,7 +76,7 @@ pub fn add_branches<P: Pack>(
     lane: usize,
 ) -> Symmetric<P> {
     let driving = at.deviator(&stress);
-    let Branches { decays, add_work: due, .. } = *branches;
+    let Branches { decays, add_work: due } = *branches;
     // One branch is the usual case, and then nothing needs counting.
     let variables = &mut state.every_step(lane);
     let branched = if let [only] = decays {

@@ -13,7 +13,8 @@ use clubface_fem::FemError;
 use clubface_fem::description::{BallDescription, CaseDescription};
 use clubface_fem::environment::Environment;
 use clubface_fem::material::{
-    DERIVATIVES, Energy, LAWS, Law, LawFunction, OwnFunction, map_law, register_law, unchecked_law,
+    DERIVATIVES, Energy, LAWS, Law, LawFunction, OwnFunction, Volumetric, map_law, register_law,
+    unchecked_law,
 };
 use clubface_fem::solve::Progress;
 use clubface_math::Dual;
@@ -92,6 +93,15 @@ pub fn fem_shear(law: &str, constants: Vec<f64>, energy: Option<&str>) -> PyResu
 #[pyfunction]
 pub fn fem_energy(energy: &str) -> PyResult<Vec<String>> {
     Ok(Energy::new(energy).map_err(|e| to_py_error(&e))?.constants().to_vec())
+}
+
+/// Energy of the change of volume (J/m3) and its first two derivatives (Pa) at some ratios of volumes, a row each; raises
+/// ValueError(name, value, allowed) for one that is not allowed.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+pub fn fem_volumetric(energy: &str, bulk: f64, ratios: Vec<f64>) -> PyResult<Vec<[f64; 3]>> {
+    let energy = Volumetric::new(energy).map_err(|e| to_py_error(&e))?;
+    Ok(ratios.into_iter().map(|ratio| energy.evaluate(bulk, ratio)).collect())
 }
 
 /// Energy (J/m3) and its derivatives by both invariants (Pa) at some of these, a row each.
@@ -173,8 +183,9 @@ pub fn fem_impact<'py>(
 ) -> PyResult<FemImpact> {
     let Described(case) = case;
     let pool = run_pool(&case.run)?;
-    let (mut simulation, touch) =
-        case.simulation(&Environment::with_pool(&pool)).map_err(|e| to_py_error(&e))?;
+    // Threads that look for the stable step call laws of one's own, which may be Python's.
+    let built = py.detach(|| case.simulation(&Environment::with_pool(&pool)));
+    let (mut simulation, touch) = built.map_err(|e| to_py_error(&e))?;
     record(py, &mut simulation, &pool, &case.run, touch.as_ref(), progress)
 }
 

@@ -58,6 +58,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
         let stage = patch.material.stage::<P>(patch.updates.preview());
         let bulk = P::splat(patch.material.bulk);
         let mut volumes = [P::zero(); POINTS];
+        let mut changes = [P::one(); POINTS];
         let mut c = [Symmetric::diagonal(P::one()); POINTS];
         let mut energies = [PointEnergy::zero(); POINTS];
         let mut energy = Energy::default();
@@ -71,6 +72,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
                     let at = Kinematics::new(element.gradient(point, &constants));
                     (c[point], volumes[point]) = (at.c, constants.volume);
+                    changes[point] = at.deformation.volume;
                     volume += constants.volume;
                     for lane in 0..lanes {
                         ratios.0 = ratios.0.min(at.deformation.volume.lane(lane));
@@ -82,6 +84,7 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
                     step: BLOCK,
                     state: &mut patch.state,
                     c: &c,
+                    volumes: &changes,
                     energies: &mut energies,
                 });
                 for point in 0..POINTS {

@@ -99,7 +99,8 @@ impl<P: Pack> Visitor<P> for EnergySum<'_, P> {
         let (lane, count) = (self.lane, std::mem::take(&mut self.count));
         let mut energies = [PointEnergy::zero(); RUN];
         let (c, energies) = (&self.c[..count], &mut energies[..count]);
-        self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, energies });
+        let volumes = &self.volumes.map(|(_, ratio)| ratio)[..count];
+        self.stage.energy(&mut EnergyPoints { lane, step, state: self.state, c, volumes, energies });
         for i in 0..count {
             let (result, (reference, ratio)) = (energies[i], self.volumes[i]);
             let dilation = ratio - 1.0;

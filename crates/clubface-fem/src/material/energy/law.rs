@@ -9,9 +9,10 @@ use crate::material::family::{Law, Origin};
 use crate::material::law::InvariantKinematics;
 use crate::material::stage::{Branching, EnergyPoints, PointEnergy, Points, StressStage};
 use crate::material::state_variables::StateVariables;
+use crate::material::step::MaterialStep;
 use crate::material::symmetric::Symmetric;
 use crate::material::table::{Number, Staged};
-use crate::material::viscous::{Branches, add_branches, work};
+use crate::material::viscous::{add_branches, work};
 use clubface_math::{Computation, Pack, Scalar};
 use std::any::Any;
 use std::cell::RefCell;
@@ -84,17 +85,17 @@ impl<R: Number> Law<R> for EnergyLaw<R> {
         let values: Vec<f64> = self.0.constants.iter().map(|value| value.re()).collect();
         self.0.energy.check(&values, name)
     }
-    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any) {
-        R::stage(self, branches, slot);
+    fn stage(&self, step: &MaterialStep<R>, slot: &mut dyn Any) {
+        R::stage(self, step, slot);
     }
 }
 
 impl<R: Number> Staged<R> for EnergyLaw<R> {
-    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>> {
+    fn boxed<P: Pack<Real = R>>(&self, step: &MaterialStep<R>) -> Box<dyn StressStage<P>> {
         Box::new(EnergyStage {
             law: Arc::clone(&self.0),
             registers: RefCell::new(self.0.energy.stress.registers(&self.0.stress)),
-            branching: Branching::new(branches),
+            branching: Branching::new(&step.branches),
         })
     }
 }

@@ -9,9 +9,11 @@ mod graph;
 mod law;
 mod parse;
 mod program;
+mod volume;
 
 pub use check::{Instability, STRETCHES};
 pub use law::EnergyLaw;
+pub use volume::{VOLUMES, VolumeLaw, Volumetric};
 
 use crate::error::FemError;
 use graph::{Graph, Id};
@@ -41,7 +43,7 @@ impl Energy {
     /// # Errors
     /// [`FemError::Input`] that says at which character what is wrong.
     pub fn new(text: &str) -> Result<Self, FemError> {
-        let parse::Parsed { mut graph, whole, constants } = parse::parse(text)?;
+        let parse::Parsed { mut graph, whole, constants } = parse::parse(text, parse::Names::Shape)?;
         let slopes = [graph.derivative(whole, 0), graph.derivative(whole, 1)];
         let curvatures =
             [graph.derivative(slopes[0], 0), graph.derivative(slopes[0], 1), graph.derivative(slopes[1], 1)];

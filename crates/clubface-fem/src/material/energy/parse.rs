@@ -16,6 +16,25 @@ const INVARIANTS: [[&str; 2]; 2] = [["I1", "I1bar"], ["I2", "I2bar"]];
 /// Names of functions.
 const FUNCTIONS: [&str; 4] = ["exp", "log", "ln", "sqrt"];
 
+/// Names that an expression has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Names {
+    /// Of an energy of the change of shape: invariants, and constants of any name.
+    Shape,
+    /// Of an energy of the change of volume: its ratio J, and the bulk modulus.
+    Volume,
+}
+
+impl Names {
+    /// The key of a file.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Shape => "energy",
+            Self::Volume => "volumetric",
+        }
+    }
+}
+
 /// What an expression is made of.
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
@@ -50,11 +69,11 @@ pub struct Parsed {
 ///
 /// # Errors
 /// [`FemError::Input`] that says at which character what is wrong.
-pub fn parse(text: &str) -> Result<Parsed, FemError> {
+pub fn parse(text: &str, names: Names) -> Result<Parsed, FemError> {
     let length = text.chars().count();
     if length > LENGTH {
         let allowed = format!("it must have at most {LENGTH}");
-        return Err(FemError::input("characters of the energy", length, allowed));
+        return Err(FemError::input(format!("characters of {}", names.key()), length, allowed));
     }
     let read = || {
         let mut parser = Parser {
@@ -64,6 +83,7 @@ pub fn parse(text: &str) -> Result<Parsed, FemError> {
             place: 0,
             graph: Graph::default(),
             constants: vec![],
+            names,
         };
         parser.advance()?;
         let whole = parser.sum(0)?;
@@ -74,7 +94,7 @@ pub fn parse(text: &str) -> Result<Parsed, FemError> {
     };
     read().map_err(|Complaint { place, message }| {
         let character = text.get(..place).map_or(length, |before| before.chars().count()) + 1;
-        FemError::input("energy", format!("{text:?}"), format!("at character {character}, {message}"))
+        FemError::input(names.key(), format!("{text:?}"), format!("at character {character}, {message}"))
     })
 }
 
@@ -86,6 +106,7 @@ struct Parser<'a> {
     place: usize,
     graph: Graph,
     constants: Vec<String>,
+    names: Names,
 }
 
 impl Parser<'_> {
@@ -285,6 +306,16 @@ impl Parser<'_> {
     }
 
     fn named(&mut self, name: String, place: usize) -> Result<Id, Complaint> {
+        if self.names == Names::Volume {
+            return match &*name {
+                "J" => Ok(self.graph.invariant(0)),
+                "bulk" => Ok(self.graph.constant(0)),
+                _ => complain(
+                    place,
+                    format!("{name:?} is unknown; the names are J, the ratio of volumes, and bulk"),
+                ),
+            };
+        }
         if let Some(index) = INVARIANTS.iter().position(|names| names.contains(&&*name)) {
             return Ok(self.graph.invariant(index));
         }
@@ -297,7 +328,7 @@ impl Parser<'_> {
         }
         if matches!(&*lower, "j" | "i3" | "i3bar") {
             let volume =
-                "the energy of a change of volume, K/2 (J - 1)^2, is added to every law, with K from poisson";
+                "the energy of a change of volume is a formula of its own, volumetric, or else K/2 (J - 1)^2";
             return complain(place, format!("{name} is not available: {volume}"));
         }
         let index = self.constants.iter().position(|each| *each == name).unwrap_or_else(|| {

@@ -105,8 +105,7 @@ impl<R: Number> OwnLaw<R> {
         let rest = self.results(&[Symmetric::diagonal(1.0); 3]);
         let written = &rest.results[..(ENERGY + 1) * rest.count];
         if written.iter().chain(&rest.states).any(|each| !each.re().is_finite()) {
-            let allowed =
-                "it must write seven finite numbers for each point: the stress in six rows, and the energy";
+            let allowed = "it must be a function that writes seven finite numbers a point: six of the stress, and the energy";
             return refused("at rest".to_owned(), allowed);
         }
         let moduli: Vec<f64> = self.shear_moduli().iter().map(|each| each.re()).collect();
@@ -122,7 +121,7 @@ impl<R: Number> OwnLaw<R> {
             if energy.abs().max(heat.abs()) > ROUNDING * shear {
                 let what =
                     format!("with an energy of {energy:.6e} J/m3 at rest, and heat of {heat:.6e} J/m3");
-                return refused(what, "both must be zero at rest, where C is the identity");
+                return refused(what, "it must be without both at rest, where C is the identity");
             }
             // A multiple of the identity is a pressure, which is taken out.
             let stress: [f64; 6] = std::array::from_fn(|row| rest.results[row * rest.count + point].re());
@@ -132,11 +131,12 @@ impl<R: Number> OwnLaw<R> {
             let largest = largest.fold(0.0, |most: f64, each| most.max(each.abs()));
             if largest > ROUNDING * shear {
                 let what = format!("with a stress of {largest:.6e} Pa at rest");
-                return refused(what, "it must be zero at rest, but for a pressure");
+                return refused(what, "it must be free of stress at rest, but for a pressure");
             }
         }
-        self.check_slopes(shear)
-            .or_else(|what| refused(what, "the stress must be 2 dW/dC, its rows xx, yy, zz, xy, xz, yz"))?;
+        self.check_slopes(shear).or_else(|what| {
+            refused(what, "it must be one whose stress is 2 dW/dC, in the rows xx, yy, zz, xy, xz, yz")
+        })?;
         self.check_turned(shear).or_else(|what| {
             refused(
                 what,

@@ -11,8 +11,9 @@ mod stage;
 
 use super::description::Description;
 use super::family::{Law, Origin};
+use super::step::MaterialStep;
 use super::table::Number;
-use super::viscous::Branches;
+
 use crate::error::FemError;
 use clubface_math::Scalar;
 use std::any::Any;
@@ -176,7 +177,7 @@ impl<R: Number> Law<R> for OwnLaw<R> {
     fn check(&self, name: &str) -> Result<(), FemError> {
         self.check_values(name)
     }
-    fn stage(&self, branches: &Branches<R>, slot: &mut dyn Any) {
-        R::stage(self, branches, slot);
+    fn stage(&self, step: &MaterialStep<R>, slot: &mut dyn Any) {
+        R::stage(self, step, slot);
     }
 }

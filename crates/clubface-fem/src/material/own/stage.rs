@@ -4,9 +4,10 @@ use super::{ENERGY, OwnLaw, Points, SHAPES};
 use crate::material::deformation::Kinematics;
 use crate::material::stage::{Branching, EnergyPoints, PointEnergy, Points as PackPoints, StressStage};
 use crate::material::state_variables::StateVariables;
+use crate::material::step::MaterialStep;
 use crate::material::symmetric::Symmetric;
 use crate::material::table::{Number, Staged};
-use crate::material::viscous::{Branches, add_branches, work};
+use crate::material::viscous::{add_branches, work};
 use clubface_math::{Computation, Pack};
 use std::cell::RefCell;
 
@@ -14,12 +15,12 @@ use std::cell::RefCell;
 const CHUNK: usize = 8;
 
 impl<R: Number> Staged<R> for OwnLaw<R> {
-    fn boxed<P: Pack<Real = R>>(&self, branches: &Branches<R>) -> Box<dyn StressStage<P>> {
+    fn boxed<P: Pack<Real = R>>(&self, step: &MaterialStep<R>) -> Box<dyn StressStage<P>> {
         Box::new(OwnStage {
             law: self.clone(),
-            step: branches.step,
+            step: step.time,
             points: RefCell::new(Points { count: 0, shapes: vec![], states: vec![], results: vec![] }),
-            branching: Branching::new(branches),
+            branching: Branching::new(&step.branches),
         })
     }
 }

@@ -9,7 +9,7 @@ mod own;
 use crate::support::Random;
 use clubface_fem::material::{
     Deformation, Entry, LAWS, Law, Material, MaterialPoint, Maxwell, MooneyRivlin, NeoHookean, Number,
-    Points, Symmetric, Update, from_table, law_from_name, map_law, times,
+    Points, Symmetric, Update, VolumeLaw, Volumetric, from_table, law_from_name, map_law, times,
 };
 use clubface_fem::materials;
 use clubface_math::{Dual, Mat3, Pack, PackKernel, Scalar, Vec3};
@@ -57,6 +57,9 @@ fn elastic<R: Number>() -> Vec<(String, Material<R>)> {
     all.push(("von Mises".into(), material(named("von-mises", &[10e6, 1e150, 0.0, 0.0]))));
     all.extend(energies::examples());
     all.extend(own::examples());
+    let energy = Arc::new(Volumetric::new("bulk/4*(J^2 - 1 - 2*log(J))").expect("an energy"));
+    let rubber = named("mooney-rivlin", &[4e6, 1e6]);
+    all.push(("an energy of the volume".into(), material(VolumeLaw::over(rubber, &energy))));
     all
 }
 
