@@ -89,6 +89,19 @@ typedef struct ClubfaceResult ClubfaceResult;
 // A ball that is moved through the contact with a head that the caller moves. End it with [`clubface_ball_end`].
 typedef struct ClubfaceStruckBall ClubfaceStruckBall;
 
+// A law of a material's change of shape, called for `count` points at once and by several threads at a time. Rows of
+// `count` numbers, one of each point: `shapes`, the right Cauchy-Green tensor without its change of volume,
+// `J^(-2/3) F^T F`, in the rows xx, yy, zz, xy, xz, yz; `states`, the state variables, zero before any deformation, which
+// the function moves on by `step` seconds, in place; `results`, twice the derivative of the elastic energy by `shapes` (Pa)
+// in such rows, apart from any multiple of the inverse of `shapes`, then the elastic energy (J/m3), then the energy that
+// became heat so far (J/m3), zero unless written. `constants` are those of the material (SI).
+typedef void (*ClubfaceLaw)(size_t count,
+                            const double *shapes,
+                            const double *constants,
+                            double step,
+                            double *states,
+                            double *results);
+
 // Called by a running simulation with the caller's pointer, the simulated time and the duration, s; `false` stops it.
 typedef bool (*ClubfaceProgress)(void *context, double time, double duration);
 
@@ -170,6 +183,16 @@ ClubfaceResult *clubface_buildable(const char *text,
                                    const double *values,
                                    size_t rows,
                                    double *least);
+
+// Makes a function a law that pieces name by `law`, in place of one of the same name. `description` has the names of its
+// `constants`, `values` of them (SI) to check it with, and its number of state variables, `states`, 0 if left out. The
+// text has its modulus of small strains, `shear` (Pa).
+//
+// # Safety
+// The texts end with a null byte; `function` does what [`ClubfaceLaw`] says and is there as long as the program.
+ClubfaceResult *clubface_fem_law(const char *name,
+                                 ClubfaceLaw function,
+                                 const char *description);
 
 // Simulates an impact. `case` describes ball, face, friction and run; see the documentation of the C interface.
 //

@@ -13,6 +13,7 @@ mod hardening;
 mod hencky;
 mod law;
 mod laws;
+mod mapped;
 mod mooney_rivlin;
 mod neo_hookean;
 mod ogden;
@@ -39,11 +40,12 @@ pub use hencky::Hencky;
 pub use law::{
     Elastic, Inelastic, InvariantKinematics, Invariants, Isochoric, OfInvariants, PointLaw, WithState,
 };
-pub use laws::{LAWS, law_from_name, unchecked_law};
+pub use laws::{LAWS, law_from_name, register_law, unchecked_law};
+pub use mapped::map_law;
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::{OGDEN_TERMS, Ogden};
-pub use own::{LawFunction, OWN_NUMBERS, OwnFunction, register_law, registered};
+pub use own::{LawFunction, OWN_NUMBERS, OwnFunction, registered};
 pub use plane_stress::{PlaneState, PlaneStress};
 pub use point::MaterialPoint;
 pub use stage::{EnergyPoints, PointEnergy, Points, StressStage};
@@ -51,6 +53,6 @@ pub use state_variables::{Numbers, StateVariables, Update, Updates, eight_alike}
 pub use step::MaterialStep;
 pub use symmetric::{Symmetric, times};
 pub(crate) use symmetric::{cross, dot};
-pub use table::{Number, Staged, build, entry, entry_from_name, from_table, map_law};
+pub use table::{Number, Staged, build, entry, entry_from_name, from_table};
 pub use viscous::{Branches, Decay, MAX_TERMS, Maxwell};
 pub use von_mises::{PlasticState, VonMises};

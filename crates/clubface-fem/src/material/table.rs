@@ -2,7 +2,6 @@
 //! for all of its packs.
 
 use super::description::Description;
-use super::energy::VolumeLaw;
 use super::family::{DERIVATIVES, Entry, Family, Law, Origin};
 use super::own::{OwnFunction, Points};
 use super::stage::{Slot, Stage, StressStage};
@@ -52,25 +51,6 @@ macro_rules! materials {
         $visibility static $table: &[$crate::material::Entry] =
             &[$($crate::material::entry::<$law>()),+];
     };
-}
-
-/// The same law over another number, each constant made from its name and value.
-pub fn map_law<R: Real, T: Number>(
-    law: &dyn Law<R>,
-    number: &mut dyn FnMut(&str, R) -> T,
-) -> Arc<dyn Law<T>> {
-    let named = law.constant_names().into_iter().zip(law.constants());
-    let constants: Vec<T> = named.map(|(name, value)| number(name, *value)).collect();
-    let made = match law.origin() {
-        Origin::Table(entry) => Ok(T::law(&entry, &constants)),
-        Origin::Energy(energy) => energy.law(&constants),
-        Origin::Own(function) => function.law(&constants),
-    };
-    let Ok(made) = made else { unreachable!("as many constants as the law has") };
-    match law.volumetric() {
-        Some(volumetric) => VolumeLaw::over(made, volumetric),
-        None => made,
-    }
 }
 
 /// The line of a law that takes as many constants.

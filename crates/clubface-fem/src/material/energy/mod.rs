@@ -10,10 +10,12 @@ mod law;
 mod parse;
 mod program;
 mod volume;
+mod volume_law;
 
 pub use check::{Instability, STRETCHES};
 pub use law::EnergyLaw;
-pub use volume::{VOLUMES, VolumeLaw, Volumetric};
+pub use volume::{VOLUMES, Volumetric};
+pub use volume_law::VolumeLaw;
 
 use crate::error::FemError;
 use graph::{Graph, Id};

@@ -1,6 +1,8 @@
 //! Checks of a function of C: what it gives at rest, its stiffness, and whether its stress belongs to its energy.
 
-use super::{ENERGY, OwnLaw, Points, SHAPES};
+use super::function::{ENERGY, SHAPES};
+use super::law::OwnLaw;
+use super::number::Points;
 use crate::error::FemError;
 use crate::material::symmetric::Symmetric;
 use crate::material::table::Number;

@@ -1,9 +1,9 @@
 //! Calls of a function of C with plain numbers, and with numbers that carry derivatives.
 
-use super::{OwnFunction, RESULTS, SHAPES};
+use super::function::{OwnFunction, RESULTS, SHAPES};
 use clubface_math::Dual;
 
-/// Points of one call, in rows as [`super::LawFunction`] has them.
+/// Points of one call, in rows as [`super::function::LawFunction`] has them.
 #[derive(Clone, Debug, Default)]
 pub struct Points<R> {
     /// How many.

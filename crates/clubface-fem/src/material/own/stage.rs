@@ -1,6 +1,8 @@
 //! The stage of a function of C: its points are taken out of packs, and put back.
 
-use super::{ENERGY, OwnLaw, Points, SHAPES};
+use super::function::{ENERGY, SHAPES};
+use super::law::OwnLaw;
+use super::number::Points;
 use crate::material::deformation::Kinematics;
 use crate::material::stage::{Branching, EnergyPoints, PointEnergy, Points as PackPoints, StressStage};
 use crate::material::state_variables::StateVariables;
