@@ -43,13 +43,13 @@ def test_the_common_energy_as_a_formula_is_the_common_energy(tmp_path, element):
 @pytest.mark.parametrize("element", ["one-point", "full"])
 @pytest.mark.parametrize("energy", [SIMO_TAYLOR, LOGARITHMIC, "bulk/81*(9*log(J) + J^-9 - 1)"])
 def test_energy_is_kept_and_the_change_of_volume_is_another(energy, element):
-    # Soft enough that volumes change by several per cent.
+    # Volumes change by a tenth: what the formula adds to the energy is many times the error of the balance.
     runs = [
-        drive_case().replace(ball=of_core(rubber(each, maxwell=(Maxwell(0.4, 80e-6),)), element=element)).run()
+        drive_case().replace(ball=of_core(rubber(each, 0.3, maxwell=(Maxwell(0.4, 80e-6),)), element=element)).run()
         for each in (None, energy)
     ]
     common, other = runs
-    assert other.energy_error < 1e-3
+    assert other.energy_error < 1.2 * common.energy_error
     assert 1e-5 < abs(other.peak_force / common.peak_force - 1.0) < 0.05
 
 
