@@ -6,11 +6,11 @@ use crate::cases::{ball_against_deformable_head, ball_against_plane, ball_agains
 use crate::contact::{ContactMethod, Grooves};
 use crate::element::{DEFAULT_POINTS, Element, Isotropic, Rule, ShellMaterial};
 use crate::environment::Environment;
-use crate::head::{DeformableHead, Driver, ShellHead, ShellPart, SolidHead};
+use crate::head::{Bond, DeformableHead, Driver, ShellHead, ShellPart, SolidHead, SolidPart};
 use crate::material::{
     Energy, Hardening, Hencky, Material, Maxwell, VolumeLaw, Volumetric, VonMises, law_from_name,
 };
-use crate::mesh::{DriverFineness, DriverShape, DriverThickness, ShellMesh, SolidMesh, Target, Trim};
+use crate::mesh::{DriverFineness, DriverShape, DriverThickness, ShellMesh, Target, Trim};
 use crate::sensitivity::ImpactSetup;
 use crate::solve::{Options, Recording, Simulation};
 use clubface_impact::first_touch::FirstTouch;
@@ -121,16 +121,16 @@ described! {
         loft: f64,
     }
 
-    /// A solid head of one metal.
-    SolidHeadDescription {
-        /// Places of the nodes, m, as those of shells.
-        nodes: Vec<f64>,
-        /// Eight nodes an element, in binary order.
-        elements: Vec<u32>,
-        /// Quadrilaterals of the face, counterclockwise seen from outside.
-        face: Vec<u32>,
-        /// Mass added at each node, kg.
-        added: Vec<f64>,
+    /// Solid elements of a head that follow each other.
+    SolidPartDescription {
+        /// Name, such as "face".
+        name: String,
+        /// Number of hexahedra.
+        hexahedra: usize,
+        /// Name of the kind of hexahedra.
+        element: String,
+        /// Number of tetrahedra.
+        tetrahedra: usize,
         /// Shear modulus, Pa.
         shear: f64,
         /// Bulk modulus, Pa.
@@ -139,8 +139,38 @@ described! {
         density: f64,
         /// When it yields; never if left out.
         plastic: Option<PlasticDescription>,
-        /// Name of its kind of element.
-        element: String,
+    }
+
+    /// A surface of a part of a head that is bonded to that of another one.
+    BondDescription {
+        /// Name, such as "face to body".
+        name: String,
+        /// Number of the part.
+        part: usize,
+        /// Triangles of its surface.
+        surface: Vec<u32>,
+        /// Triangles of the other one.
+        other: Vec<u32>,
+        /// Largest distance between the two, m.
+        within: f64,
+    }
+
+    /// A head of solid elements.
+    SolidHeadDescription {
+        /// Places of the nodes, m, as those of shells.
+        nodes: Vec<f64>,
+        /// Eight nodes a hexahedron, in binary order.
+        hexahedra: Vec<u32>,
+        /// Ten nodes a tetrahedron: corners, then the middles of the edges (0, 1), (1, 2), (2, 0), (0, 3), (1, 3) and (2, 3).
+        tetrahedra: Vec<u32>,
+        /// Its parts, in the order of the elements.
+        parts: Vec<SolidPartDescription>,
+        /// Bonds between parts.
+        bonds: Vec<BondDescription>,
+        /// Quadrilaterals of the face, counterclockwise seen from outside; a triangle has its last corner twice.
+        face: Vec<u32>,
+        /// Mass added at each node, kg.
+        added: Vec<f64>,
         /// Static loft, rad.
         loft: f64,
         /// Grooves of the face; a plain face if left out.
@@ -184,7 +214,7 @@ described! {
 pub enum HeadDescription {
     /// A mesh of shells.
     Shells(ShellHeadDescription),
-    /// A mesh of hexahedra.
+    /// A mesh of hexahedra and tetrahedra.
     Solid(SolidHeadDescription),
     /// A driver that is meshed here.
     Driver(DriverDescription),
@@ -440,27 +470,61 @@ impl PartDescription {
     }
 }
 
+impl SolidPartDescription {
+    fn material(&self) -> Result<Material<f64>, FemError> {
+        let shear = self.shear;
+        let law = match &self.plastic {
+            None => Hencky { shear }.law(),
+            Some(plastic) => VonMises { shear, hardening: plastic.build(&self.name)? }.law(),
+        };
+        Ok(Material { law, bulk: self.bulk, maxwell: vec![], density: self.density })
+    }
+}
+
 impl SolidHeadDescription {
     /// The head.
     ///
     /// # Errors
     /// As [`HeadDescription::build`].
     pub fn build(&self) -> Result<SolidHead<f64>, FemError> {
-        let (nodes, elements) = (places(&self.nodes), groups::<8>(&self.elements));
-        let (face, added) = (groups::<4>(&self.face), self.added.clone());
+        let (nodes, added) = (places(&self.nodes), self.added.clone());
+        let (hexahedra, tetrahedra) = (groups(&self.hexahedra), groups(&self.tetrahedra));
+        let (mut parts, mut bonds) = (Vec::new(), Vec::new());
+        let (mut hexes, mut tets) = (0, 0);
+        for part in &self.parts {
+            parts.push(SolidPart {
+                name: part.name.clone(),
+                hexahedra: hexes..hexes + part.hexahedra,
+                element: Element::from_name(&part.element)?,
+                tetrahedra: tets..tets + part.tetrahedra,
+                material: part.material()?,
+            });
+            (hexes, tets) = (hexes + part.hexahedra, tets + part.tetrahedra);
+        }
+        for bond in &self.bonds {
+            let (surface, other) = (groups(&bond.surface), groups(&bond.other));
+            bonds.push(Bond {
+                name: bond.name.clone(),
+                part: bond.part,
+                surface,
+                other,
+                within: bond.within,
+            });
+        }
         let count = nodes.len();
-        let mut named = elements.iter().flatten().chain(face.iter().flatten());
-        check_one_mesh(added.len() == count && named.all(|&n| (n as usize) < count))?;
-        let shear = self.shear;
-        let law = match &self.plastic {
-            None => Hencky { shear }.law(),
-            Some(plastic) => VonMises { shear, hardening: plastic.build("head")? }.law(),
-        };
-        let material = Material { law, bulk: self.bulk, maxwell: vec![], density: self.density };
-        let element = Element::from_name(&self.element)?;
-        let layer = vec![0; elements.len()];
-        let solid = SolidMesh { nodes, elements, layer };
-        Ok(SolidHead { solid, face, material, grooves: self.grooves, element, added, loft: self.loft })
+        let of_bonds = self.bonds.iter().flat_map(|bond| bond.surface.iter().chain(&bond.other));
+        let mut named = self.hexahedra.iter().chain(&self.tetrahedra).chain(&self.face).chain(of_bonds);
+        let whole = hexes == hexahedra.len() && tets == tetrahedra.len() && added.len() == count;
+        check_one_mesh(
+            whole
+                && named.all(|&n| (n as usize) < count)
+                && bonds.iter().all(|bond: &Bond| bond.part < parts.len()),
+        )?;
+        let (face, ties) = (groups(&self.face), Vec::new());
+        let (grooves, loft) = (self.grooves, self.loft);
+        let mut head = SolidHead { nodes, hexahedra, tetrahedra, parts, face, grooves, added, loft, ties };
+        head.bond(&bonds)?;
+        Ok(head)
     }
 }
 

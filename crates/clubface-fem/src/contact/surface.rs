@@ -1,4 +1,7 @@
-//! A deforming surface of quadrilaterals with a normal that is continuous across their edges.
+//! A deforming surface of quadrilaterals and triangles with a normal that is continuous across their edges.
+//!
+//! A triangle is listed with its last corner twice. Its reference coordinates are two of the barycentric ones, less the
+//! third that they have at its middle.
 
 use super::Grooves;
 use crate::material::{cross, dot};
@@ -20,6 +23,86 @@ const LONGEST_SEARCH: usize = 64;
 
 /// Reference coordinates of a quadrilateral's corners.
 const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+/// A quadrilateral or a triangle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shape {
+    Quadrilateral,
+    Triangle,
+}
+
+impl Shape {
+    #[inline(always)]
+    fn new(corners: [u32; 4]) -> Self {
+        if corners[2] == corners[3] { Self::Triangle } else { Self::Quadrilateral }
+    }
+    /// What is given at the corners, by powers of the reference coordinates: constant, along xi, along eta, both.
+    #[inline(always)]
+    fn modes<R: Real>(self, x: &[Vec3<R>; 4]) -> [Vec3<R>; 4] {
+        match self {
+            Self::Quadrilateral => {
+                let quarter = R::from_f64(0.25);
+                let (a, b, c, d) = (x[0] + x[1], x[2] + x[3], x[1] - x[0], x[2] - x[3]);
+                [(a + b) * quarter, (c + d) * quarter, (b - a) * quarter, (d - c) * quarter]
+            }
+            Self::Triangle => {
+                let middle = (x[0] + x[1] + x[2]) * R::from_f64(1.0 / 3.0);
+                [middle, x[1] - x[0], x[2] - x[0], Vec3::zero()]
+            }
+        }
+    }
+    /// Weights of the corners.
+    #[inline(always)]
+    fn weights<R: Real>(self, [xi, eta]: [R; 2]) -> [R; 4] {
+        match self {
+            Self::Quadrilateral => SIGNS.map(|[s, t]| (xi * s + 1.0) * (eta * t + 1.0) * 0.25),
+            Self::Triangle => {
+                let third = R::from_f64(1.0 / 3.0);
+                [third - xi - eta, third + xi, third + eta, R::zero()]
+            }
+        }
+    }
+    /// Newton step after which a projection is exact to 1e-12. In a triangle the normal turns faster than in a
+    /// quadrilateral of the same sides, and what a step leaves is more.
+    #[inline(always)]
+    fn last_step(self) -> f64 {
+        if self == Self::Triangle { 0.01 * LAST_STEP } else { LAST_STEP }
+    }
+    /// How far a point lies outside, in reference coordinates; negative inside.
+    #[inline(always)]
+    fn excess<R: Real>(self, at: [R; 2]) -> f64 {
+        let [xi, eta] = at.map(clubface_math::Scalar::re);
+        match self {
+            Self::Quadrilateral => xi.abs().max(eta.abs()) - 1.0,
+            Self::Triangle => (xi + eta).max(-xi).max(-eta) - 1.0 / 3.0,
+        }
+    }
+    /// Sides beyond which a point lies, each by the number of its first corner, the one it is farther beyond first.
+    fn sides_beyond<R: Real>(self, at: [R; 2]) -> impl Iterator<Item = usize> {
+        let [xi, eta] = at.map(clubface_math::Scalar::re);
+        let third = 1.0 / 3.0;
+        let mut sides = match self {
+            Self::Quadrilateral => {
+                let (x, y) = (if xi > 0.0 { 1 } else { 3 }, if eta > 0.0 { 2 } else { 0 });
+                [(eta.abs() - 1.0, y), (xi.abs() - 1.0, x), (-1.0, 0)]
+            }
+            Self::Triangle => [(xi + eta - third, 1), (-xi - third, 3), (-eta - third, 0)],
+        };
+        sides.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+        sides.into_iter().filter(|(beyond, _)| *beyond > 0.0).map(|(_, side)| side)
+    }
+    /// The nearest reference coordinates that are not outside, give or take.
+    fn inside<R: Real>(self, at: [R; 2]) -> [R; 2] {
+        match self {
+            Self::Quadrilateral => at.map(|c| c.min(R::one()).max(-R::one())),
+            Self::Triangle => {
+                let [a, b, c, _] = self.weights(at).map(|weight| weight.max(R::zero()));
+                let (sum, third) = ((a + b + c).recip(), R::from_f64(1.0 / 3.0));
+                [b * sum - third, c * sum - third]
+            }
+        }
+    }
+}
 
 /// Closest-point projection of a point on the surface.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +157,7 @@ impl<R: Real> Normals<R> {
 
 /// The outer side of some shells, half their thickness outside their nodes.
 pub struct Surface<R> {
-    /// Corners of the quadrilaterals, as indices of its nodes.
+    /// Corners of the quadrilaterals and triangles, as indices of its nodes.
     pub quads: Vec<[u32; 4]>,
     /// Neighbour across each edge (corner to next corner), or `u32::MAX`.
     neighbours: Vec<[u32; 4]>,
@@ -95,7 +178,7 @@ impl<R: Real> Surface<R> {
     pub fn new(quads: Vec<[u32; 4]>, thickness: &[R], nodes: Vec<u32>) -> Self {
         let mut edges = std::collections::HashMap::new();
         for (q, quad) in quads.iter().enumerate() {
-            for k in 0..4 {
+            for k in (0..4).filter(|&k| quad[k] != quad[(k + 1) % 4]) {
                 edges.insert((quad[k], quad[(k + 1) % 4]), q as u32);
             }
         }
@@ -105,7 +188,8 @@ impl<R: Real> Surface<R> {
             .collect();
         let mut around = vec![Vec::new(); nodes.len()];
         for (q, quad) in quads.iter().enumerate() {
-            for &node in quad {
+            let corners = if Shape::new(*quad) == Shape::Triangle { &quad[..3] } else { &quad[..] };
+            for &node in corners {
                 around[node as usize].push(q as u32);
             }
         }
@@ -128,6 +212,11 @@ impl<R: Real> Surface<R> {
     #[inline(always)]
     pub fn position(&self, rows: &[Row<R>], node: u32) -> Vec3<R> {
         rows[self.nodes[node as usize] as usize].vec()
+    }
+
+    #[inline(always)]
+    fn shape(&self, quad: u32) -> Shape {
+        Shape::new(self.quads[quad as usize])
     }
 
     /// Positions of the corners of a quadrilateral, m.
@@ -181,12 +270,22 @@ impl<R: Real> Surface<R> {
 
     /// Gradients of the weights along the surface at a projection on its lands, 1/m.
     pub fn slopes(&self, rows: &[Row<R>], projection: &Projection<R>) -> [Vec3<R>; 4] {
-        let [_, x1, x2, x3] = modes(&self.corners(rows, projection.quad));
+        let shape = self.shape(projection.quad);
+        let [_, x1, x2, x3] = shape.modes(&self.corners(rows, projection.quad));
         let ([xi, eta], n) = (projection.at, projection.normal);
         let (a, b) = (x1 + x3 * eta, x2 + x3 * xi);
-        let scale = dot(cross(a, b), n).recip() * 0.25;
-        let (along_xi, along_eta) = (cross(b, n) * scale, cross(n, a) * scale);
-        SIGNS.map(|[s, t]| along_xi * ((eta * t + 1.0) * s) + along_eta * ((xi * s + 1.0) * t))
+        let scale = dot(cross(a, b), n).recip();
+        match shape {
+            Shape::Quadrilateral => {
+                let scale = scale * 0.25;
+                let (along_xi, along_eta) = (cross(b, n) * scale, cross(n, a) * scale);
+                SIGNS.map(|[s, t]| along_xi * ((eta * t + 1.0) * s) + along_eta * ((xi * s + 1.0) * t))
+            }
+            Shape::Triangle => {
+                let (along_xi, along_eta) = (cross(b, n) * scale, cross(n, a) * scale);
+                [-(along_xi + along_eta), along_xi, along_eta, Vec3::zero()]
+            }
+        }
     }
 
     /// The projection in the grooves of the face, if it has any: distance and normal of their walls and floors.
@@ -279,16 +378,9 @@ impl<R: Real> Surface<R> {
 
     /// A quadrilateral not yet visited across an edge that a foot lies beyond, the one it is farther beyond first.
     fn across(&self, foot: &Foot<R>, visited: &[u32]) -> Option<u32> {
-        let [xi, eta] = foot.at.map(clubface_math::Scalar::re);
-        let mut sides =
-            [(xi.abs(), if xi > 0.0 { 1 } else { 3 }), (eta.abs(), if eta > 0.0 { 2 } else { 0 })];
-        if sides[1].0 >= sides[0].0 {
-            sides.swap(0, 1);
-        }
-        sides
-            .into_iter()
-            .filter(|(c, _)| *c > 1.0)
-            .map(|(_, side)| self.neighbours[foot.quad as usize][side])
+        self.shape(foot.quad)
+            .sides_beyond(foot.at)
+            .map(|side| self.neighbours[foot.quad as usize][side])
             .find(|next| *next != u32::MAX && !visited.contains(next))
     }
 
@@ -327,8 +419,9 @@ impl<R: Real> Surface<R> {
 
     /// Distance of a point from a quadrilateral where that is nearest to a foot, m.
     fn distance(&self, rows: &[Row<R>], point: Vec3<R>, foot: &Foot<R>) -> f64 {
-        let [xi, eta] = foot.at.map(|c| c.min(R::one()).max(-R::one()));
-        let [x0, x1, x2, x3] = modes(&self.corners(rows, foot.quad));
+        let shape = self.shape(foot.quad);
+        let [xi, eta] = shape.inside(foot.at);
+        let [x0, x1, x2, x3] = shape.modes(&self.corners(rows, foot.quad));
         let away = point - (x0 + x1 * xi + (x2 + x3 * xi) * eta);
         away.norm_squared().re().sqrt()
     }
@@ -344,7 +437,9 @@ impl<R: Real> Surface<R> {
         normal: &mut F,
     ) -> Foot<R> {
         let normals = self.quads[quad as usize].map(|n| normal(n as usize));
-        let ([x0, x1, x2, x3], [n0, n1, n2, n3]) = (modes(&self.corners(rows, quad)), modes(&normals));
+        let shape = self.shape(quad);
+        let ([x0, x1, x2, x3], [n0, n1, n2, n3]) =
+            (shape.modes(&self.corners(rows, quad)), shape.modes(&normals));
         let mut at = start;
         let mut height = dot(point - x0, n0);
         let mut excess = f64::INFINITY;
@@ -360,8 +455,8 @@ impl<R: Real> Surface<R> {
             at = [limited(xi + dot(bn, residual) * scale), limited(eta + dot(na, residual) * scale)];
             height += dot(ab, residual) * scale;
             let step = (at[0] - xi).re().abs().max((at[1] - eta).re().abs());
-            if step < LAST_STEP {
-                excess = at[0].re().abs().max(at[1].re().abs()) - 1.0;
+            if step < shape.last_step() {
+                excess = shape.excess(at);
                 break;
             }
         }
@@ -373,9 +468,8 @@ impl<R: Real> Surface<R> {
     #[inline(always)]
     fn project(&self, foot: &Foot<R>) -> Projection<R> {
         let &Foot { quad, at, height, normal, .. } = foot;
-        let [xi, eta] = at;
         let size = dot(normal, normal).sqrt();
-        let weights = SIGNS.map(|[s, t]| (xi * s + 1.0) * (eta * t + 1.0) * 0.25);
+        let weights = self.shape(quad).weights(at);
         let mut offset = R::zero();
         for (node, &weight) in self.quads[quad as usize].into_iter().zip(&weights) {
             offset += weight * self.offsets[node as usize];
@@ -400,12 +494,4 @@ struct Foot<R> {
 #[inline(always)]
 fn limited<R: Real>(c: R) -> R {
     c.min(R::from_f64(LIMIT)).max(R::from_f64(-LIMIT))
-}
-
-/// Bilinear map by powers: constant, along xi, along eta, both.
-#[inline(always)]
-fn modes<R: Real>(x: &[Vec3<R>; 4]) -> [Vec3<R>; 4] {
-    let quarter = R::from_f64(0.25);
-    let (a, b, c, d) = (x[0] + x[1], x[2] + x[3], x[1] - x[0], x[2] - x[3]);
-    [(a + b) * quarter, (c + d) * quarter, (b - a) * quarter, (d - c) * quarter]
 }

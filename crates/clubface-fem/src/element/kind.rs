@@ -8,10 +8,11 @@ use super::hex_full::full_patches;
 use super::hex_one_point::solid_patches;
 use super::patch::Patch;
 use super::shell::{ShellMaterial, ShellPatch, ShellRows};
+use super::tet_ten::tetrahedron_patches;
 use crate::error::FemError;
 use crate::material::{DERIVATIVES, Material, Number};
-use crate::mesh::{ShellMesh, SolidMesh};
-use clubface_math::Dual;
+use crate::mesh::{ShellMesh, SolidMesh, TET_NODES};
+use clubface_math::{Dual, Vec3};
 use std::ops::Range;
 
 /// Some patches of elements.
@@ -71,6 +72,15 @@ pub trait Kernels: Number {
         elements: Range<usize>,
         material: &Material<Self>,
     ) -> Patches<Self>;
+    /// Patches of some ten-node tetrahedra of one material in their undeformed shape, given the positions (m) of all
+    /// nodes and the nodes of all tetrahedra. In the output the first of all has the number `offset`.
+    fn tetrahedra(
+        positions: &[Vec3<Self>],
+        mesh: &[[u32; TET_NODES]],
+        elements: Range<usize>,
+        offset: usize,
+        material: &Material<Self>,
+    ) -> Patches<Self>;
     /// A patch of some shells, free of stress.
     fn shell(
         mesh: &ShellMesh<Self>,
@@ -97,6 +107,15 @@ macro_rules! kernels {
                     Element::OnePoint => boxed(solid_patches(mesh, elements, material)),
                     Element::FullyIntegrated => boxed(full_patches(mesh, elements, material)),
                 }
+            }
+            fn tetrahedra(
+                positions: &[Vec3<Self>],
+                mesh: &[[u32; TET_NODES]],
+                elements: Range<usize>,
+                offset: usize,
+                material: &Material<Self>,
+            ) -> Patches<Self> {
+                boxed(tetrahedron_patches(positions, mesh, elements, offset, material))
             }
             fn shell(
                 mesh: &ShellMesh<Self>,

@@ -1,4 +1,4 @@
-//! Deformable heads, of shells or of hexahedra.
+//! Deformable heads, of shells or of solid elements.
 
 mod deformable;
 mod driver;
@@ -8,4 +8,4 @@ mod solid;
 pub use deformable::{DeformableHead, face_axes};
 pub use driver::{Driver, MeshedDriver};
 pub use shell::{ShellHead, ShellPart};
-pub use solid::SolidHead;
+pub use solid::{Bond, SolidHead, SolidPart};

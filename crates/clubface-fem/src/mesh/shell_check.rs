@@ -84,29 +84,38 @@ impl<R: Real> ShellMesh<R> {
     /// # Errors
     /// [`FemError::Input`] that names a node.
     pub fn check_connected(&self) -> Result<(), FemError> {
-        let count = self.nodes.len();
-        let mut root: Vec<usize> = (0..count).collect();
-        fn find(root: &mut [usize], mut n: usize) -> usize {
-            while root[n] != n {
-                root[n] = root[root[n]];
-                n = root[n];
-            }
-            n
-        }
-        for quad in &self.quads {
-            let first = find(&mut root, quad[0] as usize);
-            for &corner in &quad[1..] {
-                let other = find(&mut root, corner as usize);
-                root[other] = first;
-            }
-        }
-        let whole = find(&mut root, self.quads[0][0] as usize);
-        let apart = (0..count).find(|&n| find(&mut root, n) != whole);
-        apart.map_or(Ok(()), |n| {
-            let Vec3 { x, y, z } = self.nodes[n] * 1e3;
-            let value =
-                format!("node {n} at ({x:.1}, {y:.1}, {z:.1}) mm, which is connected to no other part");
-            Err(FemError::input("mesh of the head", value, "it must be in one piece; merge coincident nodes"))
-        })
+        check_connected(&self.nodes, self.quads.iter().map(<[u32; 4]>::as_slice))
     }
+}
+
+/// Checks that all nodes are connected by groups of them, such as elements.
+///
+/// # Errors
+/// [`FemError::Input`] that names a node.
+pub fn check_connected<'a>(
+    nodes: &[Vec3<f64>],
+    groups: impl Iterator<Item = &'a [u32]>,
+) -> Result<(), FemError> {
+    let mut root: Vec<usize> = (0..nodes.len()).collect();
+    fn find(root: &mut [usize], mut n: usize) -> usize {
+        while root[n] != n {
+            root[n] = root[root[n]];
+            n = root[n];
+        }
+        n
+    }
+    for group in groups {
+        let first = find(&mut root, group[0] as usize);
+        for &node in &group[1..] {
+            let other = find(&mut root, node as usize);
+            root[other] = first;
+        }
+    }
+    let whole = find(&mut root, 0);
+    let apart = (0..nodes.len()).find(|&n| find(&mut root, n) != whole);
+    apart.map_or(Ok(()), |n| {
+        let Vec3 { x, y, z } = nodes[n] * 1e3;
+        let value = format!("node {n} at ({x:.1}, {y:.1}, {z:.1}) mm, which is connected to no other part");
+        Err(FemError::input("mesh of the head", value, "it must be in one piece; merge coincident nodes"))
+    })
 }

@@ -64,13 +64,29 @@ fn fan(name: &'static str, count: usize, slope: f64) -> Mesh {
     Mesh::new(name, nodes, quads)
 }
 
+/// Triangles, each by itself, for quadrilaterals in turn along one diagonal and the other; every third stays whole.
+fn triangulated(name: &'static str, mesh: &Mesh) -> Mesh {
+    let mut faces = Vec::new();
+    for (number, &[a, b, c, d]) in mesh.quads.iter().enumerate() {
+        match number % 3 {
+            0 => faces.extend([[a, b, c, c], [a, c, d, d]]),
+            1 => faces.extend([[b, c, d, d], [b, d, a, a]]),
+            _ => faces.push([a, b, c, d]),
+        }
+    }
+    Mesh::new(name, mesh.nodes.clone(), faces)
+}
+
 /// Flat, curved as a driver's face, distorted, folded outwards and inwards by 60 degrees, and corners of three, five and
-/// eight quadrilaterals.
+/// eight quadrilaterals; and some of them with triangles.
 fn meshes() -> Vec<Mesh> {
     let flat = |y: f64, z: f64| Vec3::new(0.0, y, z);
     let bulged = |y: f64, z: f64| Vec3::new(-(y * y + z * z) / 0.6, y, z);
     let folded = |angle: f64| move |y: f64, z: f64| Vec3::new(-(angle.tan() * y.max(0.0)), y, z);
     vec![
+        triangulated("flat, with triangles", &grid("flat", &flat, 0.0)),
+        triangulated("bulged and distorted, with triangles", &grid("", &bulged, 0.3)),
+        triangulated("folded outwards, with triangles", &grid("", &folded(1.0), 0.1)),
         grid("flat", &flat, 0.0),
         grid("distorted", &flat, 0.3),
         grid("bulged", &bulged, 0.0),
@@ -83,7 +99,12 @@ fn meshes() -> Vec<Mesh> {
     ]
 }
 
-fn corner_weights([xi, eta]: [f64; 2]) -> [f64; 4] {
+/// Weights of the corners of a face at a point of the square from -1 to 1; one of its sides is a corner of a triangle.
+fn corner_weights(face: [u32; 4], [xi, eta]: [f64; 2]) -> [f64; 4] {
+    if face[2] == face[3] {
+        let [u, v] = [xi, eta].map(|c| 0.5 * (1.0 + c));
+        return [1.0 - u, u * (1.0 - v), u * v, 0.0];
+    }
     [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[s, t]| 0.25 * (1.0 + s * xi) * (1.0 + t * eta))
 }
 
@@ -92,7 +113,8 @@ impl Mesh {
         let mut normals = vec![Vec3::zero(); nodes.len()];
         for quad in &quads {
             let [a, b, c, d] = quad.map(|n| nodes[n as usize]);
-            for &node in quad {
+            let corners = if quad[2] == quad[3] { 3 } else { 4 };
+            for &node in &quad[..corners] {
                 normals[node as usize] += (c - a).cross(d - b);
             }
         }
@@ -108,7 +130,7 @@ impl Mesh {
     /// Place and normal, not of unit length, at reference coordinates of a quadrilateral.
     fn at(&self, quad: usize, at: [f64; 2]) -> (Vec3<f64>, Vec3<f64>) {
         let (mut place, mut mean) = (Vec3::zero(), Vec3::zero());
-        for (&node, weight) in self.quads[quad].iter().zip(corner_weights(at)) {
+        for (&node, weight) in self.quads[quad].iter().zip(corner_weights(self.quads[quad], at)) {
             place += self.nodes[node as usize] * weight;
             mean += self.normals[node as usize] * weight;
         }
@@ -137,7 +159,8 @@ impl Mesh {
 
 /// Place of the foot of a projection.
 fn foot(mesh: &Mesh, projection: &Projection<f64>) -> Vec3<f64> {
-    mesh.at(projection.quad as usize, projection.at).0
+    let corners = mesh.quads[projection.quad as usize].iter().zip(projection.weights);
+    corners.fold(Vec3::zero(), |sum, (&node, weight)| sum + mesh.nodes[node as usize] * weight)
 }
 
 /// Neighbours agree: wherever a node of the ball stands over a face or has sunk into it, between its elements too, the
@@ -171,7 +194,7 @@ fn no_node_falls_between_elements() {
                         "{}: {at:?} of {quad} at {gap} m from {start}: {errors:?} m",
                         mesh.name
                     );
-                    assert!(result.at.iter().all(|c| c.abs() < 1.0 + 1e-8));
+                    assert!(result.weights.iter().all(|weight| *weight > -1e-8));
                 }
             }
         }

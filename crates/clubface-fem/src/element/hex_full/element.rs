@@ -6,15 +6,13 @@
 //! of the mean dilatation, and its forces derive from an energy. It needs no hourglass control and costs several
 //! times the one-point element.
 
-use crate::block::BLOCK;
+use crate::element::point::{POINT, Point, plus, put_point};
 use crate::material::{cross, dot};
 use crate::mesh::{CORNERS, base_vectors, signs};
-use clubface_math::{Mat3, Pack, Scalar, Vec3};
+use clubface_math::{Mat3, Scalar, Vec3};
 
 /// Points of integration.
 pub const POINTS: usize = 8;
-/// Constants of a point: gradients of the three reference coordinates (9), share of the reference volume (1).
-const POINT: usize = 10;
 /// Constants an element keeps.
 pub const CONSTANTS: usize = POINT * POINTS;
 
@@ -28,19 +26,9 @@ const FAR: f64 = 0.5 - 0.5 * AT;
 pub fn constants<R: Scalar>(corners: &[Vec3<R>; CORNERS]) -> [R; CONSTANTS] {
     let mut c = [R::zero(); CONSTANTS];
     for (point, values) in c.chunks_exact_mut(POINT).enumerate() {
-        let [u, v, w] = base_vectors(corners, signs(point).map(|s| s * AT));
-        let inverse = Mat3::from_columns(u, v, w).inverse();
-        for i in 0..3 {
-            inverse.rows[i].put(values, 3 * i);
-        }
-        values[9] = u.dot(v.cross(w));
+        put_point(base_vectors(corners, signs(point).map(|s| s * AT)), 1.0, values);
     }
     c
-}
-
-/// Reference volume, m3, of the element in a lane of a block.
-pub fn reference_volume<R: Scalar>(block: &[R; CONSTANTS * BLOCK], lane: usize) -> f64 {
-    (1..=POINTS).map(|point| block[(point * POINT - 1) * BLOCK + lane].re()).sum()
 }
 
 /// Base vectors along one reference coordinate: four, since they vary with the other two alone.
@@ -74,12 +62,6 @@ fn weighted<P: Scalar>(near: Vec3<P>, far: Vec3<P>) -> Vec3<P> {
     Vec3::new(near.x.mul_add(n, far.x * f), near.y.mul_add(n, far.y * f), near.z.mul_add(n, far.z * f))
 }
 
-/// `a + s b`.
-#[inline(always)]
-fn plus<P: Scalar>(a: Vec3<P>, s: P, b: Vec3<P>) -> Vec3<P> {
-    Vec3::new(b.x.mul_add(s, a.x), b.y.mul_add(s, a.y), b.z.mul_add(s, a.z))
-}
-
 /// One element a lane: current base vectors at the points.
 pub struct Hexahedron<P> {
     base: [Along<P>; 3],
@@ -99,52 +81,21 @@ impl<P: Scalar> Hexahedron<P> {
         }
         Self { base }
     }
+    /// Base vectors at a point.
     #[inline(always)]
-    fn at(&self, point: usize) -> [Vec3<P>; 3] {
+    pub fn base(&self, point: usize) -> [Vec3<P>; 3] {
         let [x, y, z] = &self.base;
         [x[edge(0, point)], y[edge(1, point)], z[edge(2, point)]]
-    }
-    /// Deformation gradient at a point.
-    #[inline(always)]
-    pub fn gradient(&self, point: usize, constants: &Point<P>) -> Mat3<P> {
-        let [a, b, c] = self.at(point);
-        let [r, s, t] = constants.gradients;
-        // F = a r^T + b s^T + c t^T.
-        Mat3::from_rows(
-            plus(plus(r * a.x, b.x, s), c.x, t),
-            plus(plus(r * a.y, b.y, s), c.y, t),
-            plus(plus(r * a.z, b.z, s), c.z, t),
-        )
     }
     /// Current volume, m3.
     #[inline(always)]
     pub fn volume(&self) -> P {
         let mut sum = P::zero();
         for point in 0..POINTS {
-            let [a, b, c] = self.at(point);
+            let [a, b, c] = self.base(point);
             sum += dot(a, cross(b, c));
         }
         sum
-    }
-}
-
-/// Constants of a point of one element a lane.
-pub struct Point<P> {
-    gradients: [Vec3<P>; 3],
-    /// Share of the reference volume, m3.
-    pub volume: P,
-}
-
-impl<P: Pack> Point<P> {
-    /// From a block of constants (from lane `first` on).
-    #[inline(always)]
-    pub fn load(constants: &[P::Real], first: usize, point: usize) -> Self {
-        let at = |index: usize| P::load(&constants[(POINT * point + index) * BLOCK + first..]);
-        let mut gradients = [Vec3::zero(); 3];
-        for i in 0..3 {
-            gradients[i] = Vec3::new(at(3 * i), at(3 * i + 1), at(3 * i + 2));
-        }
-        Self { gradients, volume: at(9) }
     }
 }
 
@@ -173,7 +124,7 @@ impl<P: Scalar> Forces<P> {
     #[inline(always)]
     pub fn add_pressure(&mut self, element: &Hexahedron<P>, pressure: P) {
         for point in 0..POINTS {
-            let base = element.at(point);
+            let base = element.base(point);
             for axis in 0..3 {
                 let on = &mut self.base[axis][edge(axis, point)];
                 *on = plus(*on, pressure, cross(base[(axis + 1) % 3], base[(axis + 2) % 3]));

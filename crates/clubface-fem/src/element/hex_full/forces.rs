@@ -1,12 +1,12 @@
 //! Stress and forces of a patch of fully integrated hexahedra in a step. The change of volume acts on an element as a
 //! whole, apart from the stress at its points.
 
-use super::element::{Forces, Hexahedron, POINTS, Point};
+use super::element::{Forces, Hexahedron, POINTS};
 use super::patch::FullPatch;
 use crate::block::BLOCK;
 use crate::element::patch::Ratios;
+use crate::element::point::Point;
 use crate::material::{Deformation, Points, StateVariables, StressStage, Symmetric, times};
-use crate::mesh::CORNERS;
 use clubface_math::{Mat3, Pack, PackKernel, Real};
 
 /// Deformation and stress at the points of a pack of elements.
@@ -42,7 +42,7 @@ impl<P: Pack> ElementPoints<P> {
         self.volume = P::zero();
         for point in 0..POINTS {
             let constants = Point::<P>::load(constants, first, point);
-            self.gradients[point] = element.gradient(point, &constants);
+            self.gradients[point] = constants.gradient(element.base(point));
             self.deformations[point] = Deformation::new(self.gradients[point]);
             self.volumes[point] = constants.volume;
             self.volume += constants.volume;
@@ -81,7 +81,7 @@ impl<R: Real> PackKernel<R> for AssembleForces<'_, R> {
         let stage = patch.material.stage::<P>(patch.updates.next(self.dt));
         let bulk = P::splat(patch.material.bulk);
         let mut points = ElementPoints::empty();
-        for block in 0..patch.corners.len() {
+        for block in 0..patch.nodes.blocks() {
             for first in (0..BLOCK).step_by(P::LANES) {
                 let element = patch.gather::<P>(block, first);
                 points.set(&element, &patch.constants[block], first);
@@ -99,12 +99,7 @@ impl<R: Real> PackKernel<R> for AssembleForces<'_, R> {
                     pressure += viscosity.pressure(block * BLOCK + first, ratio, self.dt);
                 }
                 forces.add_pressure(&element, pressure);
-                let forces = forces.corners();
-                for corner in 0..CORNERS {
-                    let places = &patch.corners[block][corner * BLOCK + first..];
-                    // SAFETY: as in `FullPatch::gather`; `forces` is as long as `positions`.
-                    unsafe { P::scatter_add(&mut patch.forces, places, forces[corner]) };
-                }
+                patch.nodes.add_forces(block, first, &forces.corners());
             }
         }
         ratios.valid()

@@ -1,23 +1,24 @@
 //! What the solver asks of patches of fully integrated hexahedra: energies, and stress and strain as averages over
 //! their points.
 
-use super::element::{POINTS, Point, reference_volume};
+use super::element::POINTS;
 use super::forces::{AssembleForces, ElementPoints};
 use super::patch::FullPatch;
 use crate::block::BLOCK;
 use crate::element::bulk_viscosity::BulkViscosity;
 use crate::element::output::{ElementOutput, OutputSink, logarithmic};
 use crate::element::patch::{Energy, Patch};
+use crate::element::point::{Point, reference_volume};
 use crate::material::{EnergyPoints, Kinematics, PointEnergy, Symmetric};
 use clubface_math::{Pack, PackKernel, Real, Row};
 
 impl<R: Real> Patch<R> for FullPatch<R> {
     fn nodes(&self) -> &[u32] {
-        &self.nodes[..self.real_nodes]
+        self.nodes.nodes()
     }
     fn assemble(&mut self, positions: &[Row<R>], _velocities: &[Row<R>], dt: f64) {
-        self.load(positions);
-        self.forces.fill(Row::zero());
+        self.nodes.load(positions);
+        self.nodes.clear_forces();
         self.volumes_valid = R::dispatch(AssembleForces { patch: self, dt });
     }
     fn volumes_valid(&self) -> bool {
@@ -25,21 +26,21 @@ impl<R: Real> Patch<R> for FullPatch<R> {
     }
     fn set_bulk_viscosity(&mut self, coefficient: f64) {
         let volume = |at: usize| reference_volume(&self.constants[at / BLOCK], at % BLOCK);
-        let size = f64::cbrt((0..self.elements).map(volume).sum::<f64>() / self.elements as f64);
-        self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.corners.len()));
+        let size = f64::cbrt((0..self.nodes.elements).map(volume).sum::<f64>() / self.nodes.elements as f64);
+        self.viscosity = Some(BulkViscosity::new(coefficient, &self.material, size, self.nodes.blocks()));
     }
     fn cost(&self) -> usize {
-        self.elements * 230
+        self.nodes.elements * 230
     }
     fn forces(&self) -> &[Row<R>] {
-        &self.forces[..self.real_nodes]
+        self.nodes.forces()
     }
     fn energies(&mut self, positions: &[Row<R>]) -> (Energy, (f64, f64)) {
-        self.load(positions);
+        self.nodes.load(positions);
         R::dispatch(Energies { patch: self })
     }
     fn element_output(&mut self, positions: &[Row<R>], sink: &mut OutputSink<'_>) {
-        self.load(positions);
+        self.nodes.load(positions);
         R::singly(Output { patch: self, sink });
     }
 }
@@ -63,14 +64,14 @@ impl<R: Real> PackKernel<R> for Energies<'_, R> {
         let mut energies = [PointEnergy::zero(); POINTS];
         let mut energy = Energy::default();
         let mut ratios = (f64::INFINITY, f64::NEG_INFINITY);
-        for block in 0..patch.corners.len() {
+        for block in 0..patch.nodes.blocks() {
             for first in (0..BLOCK).step_by(P::LANES) {
-                let lanes = P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first));
+                let lanes = patch.nodes.lanes::<P>(block, first);
                 let element = patch.gather::<P>(block, first);
                 let [mut strain, mut viscous, mut plastic, mut volume] = [P::zero(); 4];
                 for point in 0..POINTS {
                     let constants = Point::<P>::load(&patch.constants[block], first, point);
-                    let at = Kinematics::new(element.gradient(point, &constants));
+                    let at = Kinematics::new(constants.gradient(element.base(point)));
                     (c[point], volumes[point]) = (at.c, constants.volume);
                     changes[point] = at.deformation.volume;
                     volume += constants.volume;
@@ -124,7 +125,7 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
         let stage = patch.material.stage::<P>(patch.updates.preview());
         let bulk = P::splat(patch.material.bulk);
         let mut points = ElementPoints::empty();
-        for block in 0..patch.corners.len() {
+        for block in 0..patch.nodes.blocks() {
             // A copy: output changes nothing.
             let mut state = patch.state.copy(block * POINTS..(block + 1) * POINTS);
             for first in (0..BLOCK).step_by(P::LANES) {
@@ -146,8 +147,8 @@ impl<R: Real> PackKernel<R> for Output<'_, '_, R> {
                 let share = points.volume.recip();
                 let pressure = bulk * (element.volume() * share - 1.0);
                 let (stress, strain) = (stress.scale(share).plus_diagonal(pressure), strain.scale(share));
-                for index in 0..P::LANES.min(patch.elements.saturating_sub(block * BLOCK + first)) {
-                    let number = patch.first + block * BLOCK + first + index;
+                for index in 0..patch.nodes.lanes::<P>(block, first) {
+                    let number = patch.nodes.first + block * BLOCK + first + index;
                     (self.sink)(
                         number,
                         &ElementOutput::from_lane([&stress; 2], [&strain; 2], plastic, index),

@@ -17,5 +17,6 @@ mod laws;
 mod multipliers;
 mod reference;
 mod spheres;
+mod tetrahedra;
 mod thrown;
 mod viscosity;
