@@ -27,7 +27,7 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
     at first touch; for a ball thrown at a plane, x is the normal of the plane. Lengths are in m and times in s. Points
     carry ``displacement`` from the shape at first touch. Cells carry ``piece``: 0 for the core, then the other pieces
     of the ball, then the parts of a meshed head; shells are quadrilaterals with their ``thickness`` [m] (0 for
-    hexahedra). With fields, cells also carry ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz),
+    solid elements). With fields, cells also carry ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz),
     ``pressure``, ``von_mises`` [Pa] and ``plastic_strain``. Those of shells belong to the outer side;
     ``von_mises_inner`` belongs to the inner side.
 
@@ -62,17 +62,17 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
         "thickness": [np.zeros(len(ball["elements"]))],
     }
     if impact.head is not None:
-        kind, corners, parts, thickness = _cells(impact.head)
-        cells.append((kind, corners.astype(np.int32) + len(ball["nodes"])))
-        cell_data["piece"].append((parts + len(impact.ball.pieces)).astype(np.int32))
-        cell_data["thickness"].append(thickness)
+        for kind, corners, parts, thickness in _cells(impact.head):
+            cells.append((kind, corners.astype(np.int32) + len(ball["nodes"])))
+            cell_data["piece"].append((parts + len(impact.ball.pieces)).astype(np.int32))
+            cell_data["thickness"].append(thickness)
         shapes = np.concatenate([shapes, impact.world_positions(impact.head_frames)], axis=1)
     target, stem = Path(folder), file_stem(name)
     written = []
     for number, shape in enumerate(shapes):
         moved: dict[str, Any] = {"displacement": (shape - shapes[0]).astype(np.float32)}
         path = target / f"{stem}-{number:04d}.vtu"
-        data = cell_data | _cell_stress(impact, number)
+        data = cell_data | _cell_stress(impact, number, [len(corners) for _, corners in cells[1:]])
         with whole_file(path) as file:
             grid = meshlane.Mesh(shapes[0], cells, point_data=moved, cell_data=data)
             meshlane.write(file.name, grid, file_format="vtu")
@@ -80,17 +80,18 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
     return [*written, _collection(target / f"{stem}.pvd", impact.frame_times.tolist(), written)]
 
 
-def _cells(head: MeshedHead) -> tuple[str, Any, Any, Any]:
-    """Return kind, nodes, part and thickness [m] of the elements of a head."""
+def _cells(head: MeshedHead) -> list[tuple[str, Any, Any, Any]]:
+    """Return kind, nodes, part and thickness [m] of the elements of a head, by kind."""
     if isinstance(head, ShellHead):
-        return "quad", head.quads, head.part_of_elements(), head.thickness
+        return [("quad", head.quads, head.part_of_elements(), head.thickness)]
     assert isinstance(head, SolidHead)
-    none = np.zeros(head.elements)
-    return "hexahedron", head.hexahedra, none, none
+    parts = np.split(head.part_of_elements(), [len(head.hexahedra)])
+    kinds = (("hexahedron", head.hexahedra, parts[0]), ("tetra10", head.tetrahedra, parts[1]))
+    return [(kind, corners, part, np.zeros(len(part))) for kind, corners, part in kinds if len(corners)]
 
 
-def _cell_stress(impact: Impact, frame: int) -> dict[str, list[Any]]:
-    """Return stress and strain of all cells in a frame, a list of the bodies' arrays each."""
+def _cell_stress(impact: Impact, frame: int, cells: list[int]) -> dict[str, list[Any]]:
+    """Return stress and strain of all cells in a frame, the ball's first, then the head's by numbers of ``cells``."""
     data: dict[str, list[Any]] = {}
     for fields in (impact.fields, impact.head_fields):
         if fields is None:
@@ -106,7 +107,8 @@ def _cell_stress(impact: Impact, frame: int) -> dict[str, list[Any]]:
             "plastic_strain": fields.plastic_strain[frame],
         }
         for name, array in arrays.items():
-            data.setdefault(name, []).append(array.astype("float32"))
+            ends = np.cumsum(cells)[:-1] if fields is impact.head_fields else []
+            data.setdefault(name, []).extend(np.split(array.astype("float32"), ends))
     return data
 
 

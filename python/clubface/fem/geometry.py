@@ -1,4 +1,4 @@
-"""Areas of quadrilaterals, volumes of hexahedra, and sums over the elements round a node."""
+"""Areas, volumes and outer sides of elements, and sums over the elements round a node."""
 
 from __future__ import annotations
 
@@ -7,7 +7,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["area_vectors", "element_masses", "sums_at_nodes"]
+__all__ = [
+    "EDGES", "area_vectors", "element_masses", "outer_sides", "outer_triangles", "sums_at_nodes", "tetrahedron_volumes",
+    "triangles",
+]  # fmt: skip
+
+SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+"""Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
+the top."""
+EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+"""Corners at the ends of the edges of a tetrahedron, in whose order the nodes in their middles follow the corners."""
+TRIANGLES = ((0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (0, 3, 2, 7, 9, 6))
+"""Nodes of the sides of a tetrahedron: corners, counterclockwise as seen from outside, then the middles of their
+edges."""
+QUARTERS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
+"""The four triangles between the nodes of a side of a tetrahedron."""
 
 
 def area_vectors(nodes: NDArray[Any], quads: NDArray[Any]) -> NDArray[Any]:
@@ -28,3 +42,32 @@ def element_masses(nodes: NDArray[Any], elements: NDArray[Any], density: Any) ->
 def sums_at_nodes(elements: NDArray[Any], values: NDArray[Any], count: int) -> NDArray[Any]:
     """Return the sum over the elements round each of ``count`` nodes of a value for each element."""
     return np.bincount(elements.ravel(), np.repeat(values, elements.shape[1]), count)
+
+
+def tetrahedron_volumes(nodes: NDArray[Any], corners: NDArray[Any]) -> NDArray[Any]:
+    """Return the volumes of tetrahedra by their corners; negative ones are inside out."""
+    a, b, c, d = (nodes[corners[:, corner]] for corner in range(4))
+    return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
+
+
+def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
+    """Return the sides of hexahedra that belong to no second one, in their own order of corners, shape (m, 4)."""
+    return _once(hexahedra[:, SIDES].reshape(-1, 4), 4)
+
+
+def outer_triangles(tetrahedra: NDArray[Any]) -> NDArray[Any]:
+    """Return the sides of ten-node tetrahedra that belong to no second one as four triangles each, shape (m, 3)."""
+    return _once(tetrahedra[:, TRIANGLES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
+
+
+def _once(sides: NDArray[Any], corners: int) -> NDArray[Any]:
+    """Return the sides whose first so many nodes are those of no other one."""
+    ordered = np.sort(sides[:, :corners], axis=1)
+    _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
+    return sides[np.sort(first[count == 1])]
+
+
+def triangles(quads: NDArray[Any]) -> NDArray[Any]:
+    """Return quadrilaterals as two triangles each; one whose last corner is the third again is one triangle."""
+    real = quads[:, 2] != quads[:, 3]
+    return np.concatenate([quads[:, :3], quads[real][:, [0, 2, 3]]])

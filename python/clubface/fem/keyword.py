@@ -116,6 +116,8 @@ def _spellings(value: float) -> Iterator[str]:
 
 HEAD_PART, HEAD_SECTION = 101, 2
 HEAD_HOURGLASS = 2
+TEN_NODES = 16
+"""Formulation of ten-node tetrahedra."""
 USUAL_POINTS = 5
 """Points through the thickness of a shell, unless its metal gives the number."""
 STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
@@ -180,15 +182,43 @@ def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements:
     return faces, elements + len(corners)
 
 
-def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
-    """Write mesh and part of a solid head; return its part, and the last element."""
+def _solid(deck: Cards, head: SolidHead, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+    """Write mesh, parts and bonds of a solid head; return the parts of its face, and the last element."""
     if head.grooves is not None:
         deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
-    # Section and hourglass control are those of the ball.
-    _part(deck, HEAD_PART, head.name, head.metal, 1, 1)
+    blocks = [(part, corners) for part in head.parts for corners in (part.hexahedra, part.tetrahedra) if len(corners)]
+    if any(len(part.tetrahedra) for part in head.parts):
+        deck.keyword("SECTION_SOLID", [HEAD_SECTION, TEN_NODES], names="secid elform")
+    for number, (part, corners) in enumerate(blocks, HEAD_PART):
+        # Section and hourglass control of hexahedra are those of the ball.
+        section, hourglass = (1, 1) if corners.shape[1] == 8 else (HEAD_SECTION, 0)
+        name = head.name if len(blocks) == 1 else f"{head.name}: {part.name}"
+        _part(deck, number, name, part.metal, section, hourglass)
     deck.nodes(_places(head, touch), nodes + 1)
-    corners = head.hexahedra.astype(int) + nodes + 1
-    return [HEAD_PART], deck.elements("SOLID", repeat(HEAD_PART, len(corners)), corners, elements + 1)
+    last, faces = elements, []
+    for number, (_, corners) in enumerate(blocks, HEAD_PART):
+        rows = corners.astype(int) + nodes + 1
+        if corners.shape[1] == 8:
+            last = deck.elements("SOLID", repeat(number, len(rows)), rows, last + 1)
+        else:
+            deck.keyword("ELEMENT_SOLID")
+            for last, own in enumerate(rows.tolist(), last + 1):
+                deck.lines += [element(last, number, []), "".join(f"{each:8d}" for each in own)]
+        if np.isin(head.face, corners).all(axis=1).any():
+            faces.append(number)
+    for bond in head.bonds:
+        first, second = (
+            [place for place, (part, _) in enumerate(blocks, HEAD_PART) if part.name == name]
+            for name in (bond.part, bond.to)
+        )
+        deck.comment(f"bond of {bond.part} to {bond.to}: surfaces within {units.show(bond.within, 'mm')}")
+        for one in first:
+            for other in second:
+                deck.keyword("CONTACT_TIED_SURFACE_TO_SURFACE")
+                deck.card([one, other, 3, 3])
+                deck.card([None])
+                deck.card([None, None, -bond.within, -bond.within])
+    return faces, last
 
 
 def _section(deck: Cards, number: int, metal: Metal) -> None:

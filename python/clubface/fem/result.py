@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.fem.balls import Ball
+from clubface.fem.geometry import outer_sides, outer_triangles
 from clubface.fem.heads import ShellHead
 from clubface.results.result import Described, Result
 from clubface.simulation.results import inputs
@@ -56,7 +57,8 @@ class ElementFields:
 
     Notes
     -----
-    One-point hexahedra give the values at their centre, and fully integrated ones the average of their points. Shells
+    One-point hexahedra give the values at their centre, fully integrated ones and tetrahedra the average of their
+    points; tetrahedra follow hexahedra. Shells
     give the values of their surfaces, or of the outermost points if they have points through the thickness, without
     transverse shear. The numbers have single precision.
     """
@@ -350,9 +352,6 @@ def _fields(
     return ball_fields, ElementFields.from_core(of_head, frames, head.elements, shells=isinstance(head, ShellHead))
 
 
-SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-"""Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
-the top."""
 FLAT = 1e-3
 """Singular values below this share of the largest say that a patch has no extent in a direction."""
 
@@ -366,7 +365,7 @@ class SurfaceRecovery:
     nodes
         Nodes of the surface, in ascending order, shape (n,).
     quads
-        The surface as quadrilaterals between nodes of the mesh, shape (m, 4).
+        The surface as quadrilaterals between nodes of the mesh, shape (m, 4); a triangle has its last corner twice.
     elements, weights
         Elements whose stress makes that of each node, and their shares, shape (n, most); shares of 0 fill up.
     extrapolated
@@ -381,19 +380,31 @@ class SurfaceRecovery:
     extrapolated: NDArray[Any]
 
     @classmethod
-    def of_mesh(cls, nodes: NDArray[Any], hexahedra: NDArray[Any]) -> SurfaceRecovery:
-        """Prepare the recovery for a mesh: places of nodes [m], shape (k, 3), and corners of elements, shape (l, 8)."""
-        quads = outer_sides(hexahedra)
+    def of_mesh(cls, nodes: NDArray[Any], *elements: NDArray[Any]) -> SurfaceRecovery:
+        """Prepare the recovery for a mesh.
+
+        Parameters
+        ----------
+        nodes
+            Places of the nodes [m], shape (k, 3).
+        elements
+            Nodes of hexahedra, shape (l, 8), of ten-node tetrahedra, shape (l, 10), or of both in this order.
+        """
+        sides = [_as_quads(outer_sides(each) if each.shape[1] == 8 else outer_triangles(each)) for each in elements]
+        quads = np.concatenate(sides)
         on_surface = np.zeros(len(nodes), bool)
         on_surface[quads] = True
-        centres = nodes[hexahedra].mean(axis=1)
-        order = np.argsort(hexahedra, axis=None, kind="stable")
-        ends = np.searchsorted(hexahedra.reshape(-1)[order], np.arange(len(nodes) + 1))
-        around = [order[start:end] // 8 for start, end in pairwise(ends)]
+        centres = np.concatenate([nodes[each].mean(axis=1) for each in elements])
+        members = np.concatenate([each.ravel() for each in elements])
+        owners = np.repeat(np.arange(len(centres)), np.concatenate([np.full(len(each), each.shape[1]) for each in elements]))
+        corners_of = [row for each in elements for row in each]
+        order = np.argsort(members, kind="stable")
+        ends = np.searchsorted(members[order], np.arange(len(nodes) + 1))
+        around = [owners[order[start:end]] for start, end in pairwise(ends)]
         surface = np.flatnonzero(on_surface)
         patches, inside = [], []
         for node in surface:
-            corners = np.unique(hexahedra[around[node]])
+            corners = np.unique(np.concatenate([corners_of[each] for each in around[node]]))
             near = corners[~on_surface[corners]]
             inside.append(near.size > 0)
             if near.size == 0:
@@ -405,21 +416,19 @@ class SurfaceRecovery:
             terms = np.column_stack([np.ones(len(away)), away / size])
             patches.append((around[middle], np.array([1.0, *there / size]) @ np.linalg.pinv(terms, rcond=FLAT)))
         most = max(len(shares) for _, shares in patches)
-        elements, weights = np.zeros((len(surface), most), int), np.zeros((len(surface), most))
+        chosen, weights = np.zeros((len(surface), most), int), np.zeros((len(surface), most))
         for row, (patch, shares) in enumerate(patches):
-            elements[row, : len(patch)], weights[row, : len(patch)] = patch, shares
-        return cls(surface, quads, elements, weights, np.array(inside))
+            chosen[row, : len(patch)], weights[row, : len(patch)] = patch, shares
+        return cls(surface, quads, chosen, weights, np.array(inside))
 
     def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
 
 
-def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
-    """Return the sides of elements that belong to no second element, in their own order of corners, shape (m, 4)."""
-    sides = hexahedra[:, SIDES].reshape(-1, 4)
-    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
-    return sides[np.sort(first[count == 1])]
+def _as_quads(sides: NDArray[Any]) -> NDArray[Any]:
+    """Return sides of elements as quadrilaterals; a triangle has its last corner twice."""
+    return sides if sides.shape[1] == 4 else sides[:, [0, 1, 2, 2]]
 
 
 class Displacement(NamedTuple):

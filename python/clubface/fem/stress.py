@@ -13,7 +13,7 @@ from clubface import units
 from clubface.errors import InputError, RunError
 from clubface.fem.core import Progress
 from clubface.fem.geometry import area_vectors, sums_at_nodes
-from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
+from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, SolidPart, head as meshed
 from clubface.fem.heads.read import Design, design_of
 from clubface.fem.result import SurfaceRecovery, von_mises
 from clubface.fem.run import AnyBall, strike
@@ -50,7 +50,7 @@ class PartStress:
     Attributes
     ----------
     part
-        Name of the part; "head" for a head of hexahedra.
+        Name of the part; "head" for an iron that is made from dimensions.
     stress
         Largest equivalent stress of von Mises [Pa] in a metal that stays elastic.
     time
@@ -156,7 +156,7 @@ def blow_stress(
 
     The metals stay elastic for it, whether they yield or not, so that the stress may exceed the one at which they
     yield: the margin then says by how much a design is too weak. It is the stress on the two sides of a shell (at its
-    outermost points, if its metal has points through the thickness), and that at the surface of hexahedra, to which
+    outermost points, if its metal has points through the thickness), and that at the surface of solids, to which
     patch recovery extrapolates it from the centres of elements (:mod:`clubface.fem.result`). Neither knows of
     notches, welds or fatigue.
 
@@ -219,7 +219,7 @@ def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> l
     """Return a head, and the same of finer meshes if it is made from dimensions."""
     made = [meshed(head)]
     if not isinstance(made[0], ShellHead | SolidHead):
-        raise InputError("head", made[0].name, "a head of shells or of hexahedra")
+        raise InputError("head", made[0].name, "a head of shells or of solid elements")
     design = None if count == 1 else design_of(head)
     if isinstance(design, DriverHead | IronHead):
         for factor in FINER[1:count]:
@@ -246,18 +246,40 @@ def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], t
 
 
 def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
-    """Return the stress at the surface of hexahedra: the largest of the part, and that of the surface."""
-    recovery = SurfaceRecovery.of_mesh(head.nodes, head.hexahedra)
+    """Return the stress at the surface of solid elements: the largest of every part, and that of the outside.
+
+    Parts of different metals have different stress where they meet, so that each is by itself; its surface is all that
+    is outside of it, also where it meets others.
+    """
     assert run.head_fields is not None
-    stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in run.head_fields.stress])
-    part = _peak("head", head.metal, stress, head.nodes[recovery.nodes], run.frame_times)
-    frame = int(stress.max(axis=1).argmax())
+    of_part = head.part_of_elements()
+    outside = {tuple(side) for side in np.sort(_outside(head), axis=1).tolist()}
+    parts, pieces = [], []
+    for number, part in enumerate(head.parts):
+        own = [each for each in (part.hexahedra, part.tetrahedra) if len(each)]
+        recovery = SurfaceRecovery.of_mesh(head.nodes, *own)
+        fields = run.head_fields.stress[:, of_part == number]
+        stress = np.stack([von_mises(recovery.at_nodes(frame)) for frame in fields])
+        parts.append(_peak(part.name, part.metal, stress, head.nodes[recovery.nodes], run.frame_times))
+        seen = [tuple(side) in outside for side in np.sort(recovery.quads, axis=1).tolist()]
+        pieces.append((recovery, recovery.quads[seen], stress))
+    frame = int(np.max([stress.max(axis=1) for *_, stress in pieces], axis=0).argmax())
+    starts = np.cumsum([0, *(len(recovery.nodes) for recovery, *_ in pieces)])
     surface = SurfaceStress(
-        nodes=head.nodes[recovery.nodes], quads=np.searchsorted(recovery.nodes, recovery.quads), stress=stress[frame],
+        nodes=np.concatenate([head.nodes[recovery.nodes] for recovery, *_ in pieces]),
+        quads=np.concatenate([start + np.searchsorted(recovery.nodes, quads)
+                              for start, (recovery, quads, _) in zip(starts, pieces, strict=False)]),
+        stress=np.concatenate([stress[frame] for *_, stress in pieces]),
         time=float(run.frame_times[frame]), views=("face", "back"),
-        bending=bool(recovery.extrapolated.mean() > 0.5),
+        bending=all(recovery.extrapolated.mean() > 0.5 for recovery, *_ in pieces),
     )  # fmt: skip
-    return [part], surface
+    return parts, surface
+
+
+def _outside(head: SolidHead) -> NDArray[Any]:
+    """Return the outer sides of a head."""
+    whole = SolidPart(name="", metal=Metal(), hexahedra=head.hexahedra, tetrahedra=head.tetrahedra)
+    return whole.outside()
 
 
 def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
@@ -289,11 +311,9 @@ def _elastic(head: MeshedHead) -> MeshedHead:
     def elastic(metal: Metal) -> Metal:
         return replace(metal, yield_stress=None, hardening=None)
 
-    if isinstance(head, SolidHead):
-        return replace(head, metal=elastic(head.metal))
-    if isinstance(head, ShellHead):
-        return replace(head, parts=tuple(replace(part, metal=elastic(part.metal)) for part in head.parts))
-    return head
+    assert isinstance(head, ShellHead | SolidHead)
+    parts: Any = tuple(replace(part, metal=elastic(part.metal)) for part in head.parts)
+    return replace(head, parts=parts)
 
 
 FACING = 0.25

@@ -12,7 +12,7 @@ from clubface.fem.balls import ELEMENTS
 from clubface.fem.core import in_thread
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
-from clubface.fem.heads.meshed import ROUND, SolidHead
+from clubface.fem.heads.meshed import ROUND, SolidHead, SolidPart
 from clubface.fem.heads.metal import Metal
 from clubface.schema import NAME, TEXT, Choice, Items, PhysicalValue, Record, Table, check_values, count, file_key
 from clubface.support.checks import warn_once
@@ -97,9 +97,8 @@ class IronHead:
             name=self.name,
             description=self.description,
             nodes=nodes,
-            hexahedra=hexahedra,
+            parts=(SolidPart(name="head", metal=self.metal, hexahedra=hexahedra),),
             face=face,
-            metal=self.metal,
             grooves=self.grooves,
             added=carried.added,
             loft=self.shape["loft"],

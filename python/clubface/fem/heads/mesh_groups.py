@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
-from clubface.fem.mesh_files import Mesh, Wall
+from clubface.fem.mesh_files import SOLIDS, Mesh, Wall
 from clubface.schema import FLAG, NAME, TEXT, Items, PhysicalValue, Place, Record, entries
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
@@ -33,14 +34,14 @@ GROUP = {
 
 @dataclass(frozen=True, kw_only=True)
 class Group:
-    """The shells of one group of the mesh.
+    """The elements of one group of the mesh.
 
     Attributes
     ----------
     name
         Its name in the file: a physical group, a set of elements, a part or a property, or the number of one.
     thickness
-        Thickness [m]; None if cards of the mesh give it.
+        Thickness of its shells [m]; None if cards of the mesh give it, and of solid elements.
     metal
         The metal; or some of its values by name, where cards of the mesh give the others.
     face
@@ -97,9 +98,8 @@ def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any
     FileError
         An element belongs to no group or to two, or a group has no element.
     """
-    _check_solids(mesh, groups)
     if not len(mesh.corners):
-        raise FileError(mesh.path, None, "there are no elements of surfaces, triangles or quadrilaterals, in this file")
+        raise FileError(mesh.path, None, "there are no elements of surfaces or solids in this file")
     places = np.full(len(mesh.corners), -1)
     if not any(len(rows) for rows in mesh.sets.values()) and len(groups) == 1:
         notes.append(f"the file names no sets of elements: all belong to {groups[0].name!r}")
@@ -187,25 +187,30 @@ def _listed(mesh: Mesh) -> str:
     return f"its sets, with their numbers of elements, are {', '.join(names[:SHOWN])}{more}"
 
 
-def _check_solids(mesh: Mesh, groups: Sequence[Group]) -> None:
-    """Refuse solid elements of a group; others, such as those of a ball, are left out and said to be."""
-    if not mesh.solids:
-        return
-    kinds: dict[str, int] = {}
-    for (kind, _), count in mesh.solids.items():
-        kinds[kind] = kinds.get(kind, 0) + count
-    solids = " and ".join(f"{count} {kind}" for kind, count in kinds.items())
+def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
+    """Return whether the groups are of the solid elements of a mesh; a note says what is left out otherwise.
+
+    Raises
+    ------
+    InputError
+        A group of solid elements has a thickness.
+    """
+    solids = mesh.solids
+    if not len(solids.ids):
+        return False
     wanted = {_plain(name) for group in groups for name in (group.sets or (group.name,))}
-    names = {name for _, name in mesh.solids}
-    numbers = {number for number, name in mesh.aliases.items() if name in names}
-    if not len(mesh.corners) or any(_plain(each) in wanted for each in names | numbers):
-        message = (
-            f"{solids}: a head of one's own is a mesh of shells; for a hollow head, mesh its middle surfaces with"
-            ' triangles or quadrilaterals; for a solid iron, use kind = "iron" with its dimensions; the boundary faces'
-            " of this mesh alone would be a hollow shell, which is another head"
-        )
-        raise FileError(mesh.path, None, message)
-    mesh.notes.append(f"left out, as no group names them: {solids}")
+    known = {name: {name} | {alias for alias, real in mesh.aliases.items() if real == name} for name in solids.sets}
+    named = any(_plain(each) in wanted for name, rows in solids.sets.items() if len(rows) for each in known[name])
+    thick = next((group for group in groups if group.thickness is not None), None)
+    if len(mesh.corners) and (thick or not named):
+        kinds = Counter(SOLIDS[int(count)] for count in (solids.corners >= 0).sum(axis=1))
+        left = " and ".join(f"{count} {kind}" for kind, count in kinds.items())
+        mesh.notes.append(f"left out, as no group without a thickness names them: {left}")
+        return False
+    if thick is not None:
+        allowed = "leave it out: the elements of this mesh are solid, and as thick as they are drawn"
+        raise InputError(f"thickness of {thick.name}", units.show(thick.thickness, "mm"), allowed)
+    return True
 
 
 class _System(NamedTuple):
@@ -254,15 +259,11 @@ def walls(
     """
     size = units.parse(f"1 {unit}", "length")
     card = np.full(len(mesh.corners), np.nan)
-    wall_of = np.full(len(mesh.corners), -1)
-    cards = list(mesh.walls.items())
-    for place, (name, wall) in enumerate(cards):
-        rows = mesh.sets.get(name, np.zeros(0, int))
+    for name, wall in mesh.walls.items():
         if wall.thickness is not None:
-            card[rows] = wall.thickness
-        wall_of[rows] = place
+            card[mesh.sets.get(name, np.zeros(0, int))] = wall.thickness
     card = size * np.where(np.isnan(mesh.thickness), card, mesh.thickness)
-    thickness, metals, differing, unread = np.zeros(len(card)), [], [], []
+    thickness, differing = np.zeros(len(card)), []
     for number, group in enumerate(groups):
         own = of_group == number
         by_cards = card[own]
@@ -278,7 +279,19 @@ def walls(
             thickness[own] = by_cards
         if (by_cards <= 0.0).any():
             differing.append(f"{group.name} 0 mm there")
-        own_walls = [cards[each][1] for each in np.unique(wall_of[own]) if each >= 0]
+    return thickness, metals_of(mesh, groups, of_group, unit, notes, differing)
+
+
+def metals_of(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, notes: list[str],
+              differing: Sequence[str] = ()) -> list[Metal]:  # fmt: skip
+    """Return the metal of each group, as :func:`walls` does; ``differing`` says where cards differ in other values."""
+    cards = list(mesh.walls.items())
+    wall_of = np.full(len(mesh.corners), -1)
+    for place, (name, _) in enumerate(cards):
+        wall_of[mesh.sets.get(name, np.zeros(0, int))] = place
+    metals, unread, differing = [], [], list(differing)
+    for number, group in enumerate(groups):
+        own_walls = [cards[each][1] for each in np.unique(wall_of[of_group == number]) if each >= 0]
         metals.append(_metal(mesh, group, own_walls, unit, differing, unread, notes))
     if differing:
         notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
@@ -286,7 +299,7 @@ def walls(
         values = " and ".join(f"{key} {units.show(getattr(Metal(), key), _UNITS[key])}" for key in METAL)
         missing = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
         notes.append(f"{missing}; taken as of titanium where the group does not give it: {values}")
-    return thickness, metals
+    return metals
 
 
 def _range(values: NDArray[Any]) -> str:

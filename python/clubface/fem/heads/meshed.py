@@ -16,7 +16,7 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
 from clubface.fem.core import in_thread
-from clubface.fem.geometry import area_vectors
+from clubface.fem.geometry import area_vectors, outer_sides, outer_triangles, triangles
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
 
@@ -137,9 +137,55 @@ ROUND = (0, 1, 3, 2, 4, 5, 7, 6)
 """Corners of an element round the bottom, then round the top, from their binary order, and back."""
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SolidPart:
+    """Solid elements of one metal.
+
+    Attributes
+    ----------
+    name
+        Its name, such as "face".
+    metal
+        The metal.
+    hexahedra
+        Nodes of its hexahedra, round the bottom, then round the top, shape (m, 8).
+    tetrahedra
+        Nodes of its tetrahedra, corners first, then the middles of edges in the order of
+        :data:`clubface.fem.geometry.EDGES`, shape (k, 10).
+    """
+
+    name: str
+    metal: Metal
+    hexahedra: NDArray[Any] = field(default_factory=lambda: np.zeros((0, 8), np.int64), repr=False)
+    tetrahedra: NDArray[Any] = field(default_factory=lambda: np.zeros((0, 10), np.int64), repr=False)
+
+    def outside(self) -> NDArray[Any]:
+        """Return the outer sides of its elements as quadrilaterals; a triangle has its last corner twice."""
+        return np.concatenate([outer_sides(self.hexahedra), outer_triangles(self.tetrahedra)[:, [0, 1, 2, 2]]])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bond:
+    """The surface of a part that is bonded to that of another one, where the two lie on each other.
+
+    Attributes
+    ----------
+    part
+        Name of the part whose nodes are held, best the one with the smaller elements.
+    to
+        Name of the part to whose sides they are bonded.
+    within
+        Largest distance between the two surfaces [m]. The nodes move by it, onto the other surface.
+    """
+
+    part: str
+    to: str
+    within: float = 1e-4
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SolidHead(MeshedHead):
-    """A head of eight-node hexahedra with a flat face.
+    """A head of hexahedra and ten-node tetrahedra.
 
     Attributes
     ----------
@@ -147,31 +193,34 @@ class SolidHead(MeshedHead):
         Name and description for tables.
     nodes
         Nodes [m], shape (n, 3).
-    hexahedra
-        Nodes of each element, round the bottom, then round the top, shape (m, 8).
+    parts
+        Its parts.
     face
-        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4).
-    metal
-        The metal.
+        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4); a triangle has its
+        last corner twice.
     added
         Mass added to each node [kg].
     loft
         Elevation of the face normal at the face centre [rad].
+    bulge, roll
+        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
+    bonds
+        Bonds between parts that share no nodes.
     grooves
         "width", "depth", "pitch" and "wall" of the grooves [m], or None.
     element
-        "one-point" or "full".
+        Kind of the hexahedra, "one-point" or "full".
     report
         Added masses [kg] by name.
     """
 
     name: str
     nodes: NDArray[Any]
-    hexahedra: NDArray[Any]
+    parts: tuple[SolidPart, ...]
     face: NDArray[Any]
     added: NDArray[Any]
     loft: float
-    metal: Metal = field(default_factory=Metal)
+    bonds: tuple[Bond, ...] = ()
     grooves: Mapping[str, float] | None = None
     element: str = "one-point"
     description: str = ""
@@ -181,8 +230,25 @@ class SolidHead(MeshedHead):
 
     @property
     def elements(self) -> int:
-        """Number of hexahedra."""
-        return len(self.hexahedra)
+        """Number of elements."""
+        return len(self.hexahedra) + len(self.tetrahedra)
+
+    @cached_property
+    def hexahedra(self) -> NDArray[Any]:
+        """The hexahedra of all parts."""
+        return np.concatenate([part.hexahedra for part in self.parts])
+
+    @cached_property
+    def tetrahedra(self) -> NDArray[Any]:
+        """The tetrahedra of all parts; in results they follow the hexahedra."""
+        return np.concatenate([part.tetrahedra for part in self.parts])
+
+    def part_of_elements(self) -> NDArray[Any]:
+        """Return the number of the part of each element."""
+        hexahedra, tetrahedra = ([len(each) for each in kind] for kind in zip(
+            *((part.hexahedra, part.tetrahedra) for part in self.parts), strict=True))  # fmt: skip
+        numbers = np.arange(len(self.parts))
+        return np.concatenate([np.repeat(numbers, hexahedra), np.repeat(numbers, tetrahedra)])
 
     @property
     def places(self) -> NDArray[Any]:
@@ -195,21 +261,46 @@ class SolidHead(MeshedHead):
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
-        material = Material.linear(self.metal.youngs, self.metal.poisson, density=self.metal.density)
+        parts = []
+        for part in self.parts:
+            material = Material.linear(part.metal.youngs, part.metal.poisson, density=part.metal.density)
+            parts.append({
+                "name": part.name,
+                "hexahedra": len(part.hexahedra),
+                "tetrahedra": len(part.tetrahedra),
+                "element": self.element,
+                "shear": material.shear,
+                "bulk": material.bulk,
+                "density": part.metal.density,
+                "plastic": part.metal.plastic(),
+            })  # fmt: skip
         values = {
             "nodes": self.nodes.ravel().tolist(),
-            "elements": self.hexahedra[:, ROUND].ravel().tolist(),
+            "hexahedra": self.hexahedra[:, ROUND].ravel().tolist(),
+            "tetrahedra": self.tetrahedra.ravel().tolist(),
+            "parts": parts,
+            "bonds": self._bonds(),
             "face": self.face.ravel().tolist(),
             "added": self.added.tolist(),
-            "shear": material.shear,
-            "bulk": material.bulk,
-            "density": self.metal.density,
-            "plastic": self.metal.plastic(),
-            "element": self.element,
             "loft": self.loft,
             "grooves": None if self.grooves is None else dict(self.grooves),
         }
         return {"solid": values}
+
+    def _bonds(self) -> list[dict[str, Any]]:
+        names = [part.name for part in self.parts]
+        outside = {name: triangles(self.parts[names.index(name)].outside()).ravel().tolist()
+                   for bond in self.bonds for name in (bond.part, bond.to)}  # fmt: skip
+        return [
+            {
+                "name": f"{bond.part} to {bond.to}",
+                "part": names.index(bond.part),
+                "surface": outside[bond.part],
+                "other": outside[bond.to],
+                "within": bond.within,
+            }
+            for bond in self.bonds
+        ]
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from clubface.fem.mesh_files.mesh import Mesh, Wall
+from clubface.fem.mesh_files.mesh import SOLIDS, Mesh, Wall
 from clubface.fem.mesh_files.read import read_mesh
 
-__all__ = ["Mesh", "Wall", "read_mesh"]
+__all__ = ["SOLIDS", "Mesh", "Wall", "read_mesh"]

@@ -9,13 +9,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from clubface.errors import shortened
-from clubface.fem.mesh_files.mesh import UNNAMED, Mesh, MeshBuilder, Wall, read_text
+from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
 
 SHELL = re.compile(r"(?:S|STRI|DS|CPS|CPE|CPEG|CAX|M3D|R3D|SFM3D|F3D|DC2D)(?P<nodes>3|4|6|8|9)(?!\d)|STRI65")
 """Names of surface elements; generators that know no structure write plane ones (CPS4) for them."""
 SOLID = re.compile(r"(?:C3D|DC3D|AC3D|SC|CSS)(\d+)")
-SOLID_KINDS = {4: "tetrahedra", 10: "tetrahedra", 5: "pyramids", 6: "wedges", 15: "wedges", 8: "hexahedra",
-               20: "hexahedra", 27: "hexahedra"}  # fmt: skip
 LINE = re.compile(r"T2D|T3D|B2|B3|FRAME|PIPE|CONN|SPRING|DASHPOT|MASS|ROTARY|GAP|ELBOW|RB[23]|SAX")
 GENERATORS = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")
 """Keywords that make or move nodes and elements."""
@@ -39,6 +37,7 @@ class _Part:
     name: str = ""
     nodes: list[tuple[int, int, list[str]]] = field(default_factory=list)
     elements: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
+    solids: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
     sets: dict[str, list[int | str]] = field(default_factory=dict)
     sections: list[tuple[str, str, float | None, str]] = field(default_factory=list)
     points: list[tuple[int, int, str]] = field(default_factory=list)
@@ -89,7 +88,7 @@ class _File:
                 self._elements(keyword)
             elif name == "ELSET":
                 self._set(keyword, in_assembly)
-            elif name in ("SHELL SECTION", "MEMBRANE SECTION", "SHELL GENERAL SECTION"):
+            elif name in ("SHELL SECTION", "MEMBRANE SECTION", "SHELL GENERAL SECTION", "SOLID SECTION"):
                 self._section(keyword)
             elif name == "MASS" and keyword.rows:
                 line, cells = keyword.rows[0]
@@ -149,9 +148,9 @@ class _File:
 
     def _elements(self, keyword: _Keyword) -> None:
         kind, name = keyword.options.get("TYPE", "").upper(), self._label(keyword.options.get("ELSET", ""))
-        shell = SHELL.match(kind)
-        count = int(shell["nodes"] or 6) if shell else 0
-        if not shell and not SOLID.match(kind) and not LINE.match(kind):
+        shell, solid = SHELL.match(kind), SOLID.match(kind)
+        count = int(shell["nodes"] or 6) if shell else int(solid[1]) if solid else 0
+        if not shell and not solid and not LINE.match(kind):
             message = f"elements of the type {shortened(kind, 40) or '(none)'} are not read; write S3, S4 or S4R"
             raise self.builder.error(keyword.line, message)
         row: list[str] = []
@@ -159,26 +158,19 @@ class _File:
             row += [cell for cell in cells if cell]
             if cells[-1] == "" and len(row) < count + 1:
                 continue  # the nodes go on in the next line
-            if shell:
+            if shell or solid:
                 numbers = [self.builder.number(line, cell) for cell in row]
                 if len(numbers) != count + 1:
                     message = f"this element of type {kind} has {len(numbers) - 1} nodes, not {count}"
                     raise self.builder.error(line, message)
-                self.part.elements.append((line, numbers[0], tuple(numbers[1:])))
+                (self.part.elements if shell else self.part.solids).append((line, numbers[0], tuple(numbers[1:])))
                 if name:
                     self.part.sets.setdefault(name, []).append(numbers[0])
             elif kind == "MASS" and len(row) > 1 and row[1].isdecimal():
                 self.part.points.append((line, self.builder.number(line, row[1]), name))
             elif cells[-1] != "":
-                self._other(kind, name)
-            row = [] if shell or cells[-1] != "" else row
-
-    def _other(self, kind: str, name: str) -> None:
-        solid = SOLID.match(kind)
-        if solid:
-            self.builder.add_solid(SOLID_KINDS.get(int(solid[1]), "solids"), name or UNNAMED)
-        else:
-            self.builder.left_out[f"of type {kind}"] += 1
+                self.builder.left_out[f"of type {kind}"] += 1
+            row = [] if shell or solid or cells[-1] != "" else row
 
     def _set(self, keyword: _Keyword, in_assembly: bool) -> None:
         name, instance = self._label(keyword.options.get("ELSET", "")), keyword.options.get("INSTANCE", "")
@@ -199,7 +191,8 @@ class _File:
 
     def _section(self, keyword: _Keyword) -> None:
         thickness = None
-        if keyword.rows and keyword.name != "SHELL GENERAL SECTION" and "COMPOSITE" not in keyword.options:
+        walled = keyword.name not in ("SHELL GENERAL SECTION", "SOLID SECTION")
+        if keyword.rows and walled and "COMPOSITE" not in keyword.options:
             line, cells = keyword.rows[0]
             if cells[0]:
                 thickness = self.builder.value(line, cells[0], "thickness")
@@ -238,6 +231,8 @@ class _File:
         for line, number, nodes in part.elements:
             corners = [(key, node) for node in nodes]
             self.builder.add_shell(line, number, corners, sets, key=(key, number))
+        for line, number, nodes in part.solids:
+            self.builder.add_solid(line, number, [(key, node) for node in nodes], sets, key=(key, number))
         names = {each.upper(): each for each in part.sets}
         for each in part.sets:
             numbers = _members(each, part, names, frozenset())

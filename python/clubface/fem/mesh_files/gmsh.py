@@ -11,14 +11,14 @@ import struct
 from collections.abc import Callable
 
 from clubface.errors import FileError, shortened
-from clubface.fem.mesh_files.mesh import UNNAMED, Mesh, MeshBuilder
+from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder
 from clubface.support.files import read_input
 
 SHELLS = {2: 3, 3: 4, 9: 6, 10: 9, 16: 8}
 """Numbers of nodes of the surface elements that are read, by type."""
-SOLIDS = {4: "tetrahedra", 5: "hexahedra", 6: "wedges", 7: "pyramids", 11: "tetrahedra", 12: "hexahedra",
-          13: "wedges", 14: "pyramids", 17: "hexahedra", 18: "wedges", 19: "pyramids"}  # fmt: skip
-NODES = {1: 2, 4: 4, 5: 8, 6: 6, 7: 5, 8: 3, 11: 10, 12: 27, 13: 18, 14: 14, 15: 1, 17: 20, 18: 15, 19: 13, **SHELLS}
+SOLIDS = {4: 4, 5: 8, 6: 6, 7: 5, 11: 10, 12: 27, 13: 18, 14: 14, 17: 20, 18: 15, 19: 13}
+"""Numbers of nodes of solid elements, by type."""
+NODES = {1: 2, 8: 3, 15: 1, **SHELLS, **SOLIDS}
 """Numbers of nodes of every type that may stand in a file of a head."""
 MOST_TAGS = 99
 """Most tags of an element: its physical and geometrical group, and parts of a partition."""
@@ -289,10 +289,12 @@ class _File:
         if kind in SHELLS:
             self.builder.add_shell(line, number, [int(each) for each in nodes], names)
         elif kind in SOLIDS:
-            self.builder.add_solid(SOLIDS[kind], names[0] if names else UNNAMED)
+            self.builder.add_solid(line, number, [int(each) for each in nodes], names)
 
     def _finish(self) -> Mesh:
-        self.builder.aliases = {str(number): name for (dimension, number), name in self.names.items() if dimension == 2}
+        # The number of a surface counts where a volume has the same.
+        groups = sorted(self.names.items(), reverse=True)
+        self.builder.aliases = {str(number): name for (dimension, number), name in groups if dimension in (2, 3)}
         return self.builder.mesh()
 
 

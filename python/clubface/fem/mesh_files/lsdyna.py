@@ -31,7 +31,7 @@ class _Row(NamedTuple):
 
 
 def read(path: str) -> Mesh:
-    """Read the shells of a keyword deck."""
+    """Read the elements of a keyword deck."""
     return _File(path).read()
 
 
@@ -39,7 +39,7 @@ class _File:
     def __init__(self, path: str) -> None:
         self.builder = MeshBuilder(path)
         self.elements: list[tuple[int, int, int, list[int], float]] = []
-        self.solids: list[int] = []
+        self.solids: list[tuple[int, int, int, list[int]]] = []
         self.parts: dict[int, tuple[str, int, int]] = {}
         self.sections: dict[int, float] = {}
         self.metals: dict[int, Wall] = {}
@@ -123,11 +123,22 @@ class _File:
             self.elements.append((row.line, element, self.builder.number(row.line, part, "a part"), numbers, thickness))
 
     def _solids(self, rows: list[_Row]) -> None:
+        numbers: tuple[int, int] | None = None
         for row in rows:
-            _, part, *nodes = row.fields(8, 8, 8)
-            # In the format of two lines the second has the nodes; the first, number and part alone.
-            if nodes[0] or len(row.text.split()) == 2:
-                self.solids.append(self.builder.number(row.line, part, "a part"))
+            number, part, *nodes = row.fields(*[8] * 10)
+            if numbers is None:
+                numbers = self.builder.number(row.line, number, "an element"), self.builder.number(
+                    row.line, part, "a part"
+                )
+                # In the format of two lines the second has the nodes; the first, number and part alone.
+                if not any(nodes) or len(row.text.split()) == 2:
+                    continue
+            else:
+                nodes = [number, part, *nodes]
+            own = [self.builder.number(row.line, each) for each in nodes if each and each != "0"]
+            # Tetrahedra, wedges and pyramids are hexahedra that repeat nodes.
+            self.solids.append((row.line, *numbers, list(dict.fromkeys(own))))
+            numbers = None
 
     def _parts(self, name: str, rows: list[_Row]) -> None:
         for place in range(0, len(rows) - 1, 2) if name == "PART" else (0,):
@@ -167,8 +178,8 @@ class _File:
         }
         for line, number, part, nodes, thickness in self.elements:
             self.builder.add_shell(line, number, nodes, [names.get(part, str(part))], thickness=thickness)
-        for part in self.solids:
-            self.builder.add_solid("solids", names.get(part, str(part)))
+        for line, number, part, nodes in self.solids:
+            self.builder.add_solid(line, number, nodes, [names.get(part, str(part))])
         for number, (_, section, metal) in self.parts.items():
             source = f"*SECTION_SHELL {section}" if section in self.sections else ""
             material = f"*MAT {metal}" if metal else ""

@@ -20,8 +20,10 @@ FARTHEST = 1e6
 """Largest coordinate, in whatever unit: a head in um has 1e5."""
 CORNERS = {3: 3, 6: 3, 7: 3, 4: 4, 8: 4, 9: 4}
 """Corners of a shell, by its number of nodes; corners come first in every format, then nodes on edges and inside."""
-UNNAMED = ""
-"""Name of the set of elements that a file puts into no set."""
+SOLID_CORNERS = {4: 4, 10: 4, 5: 5, 13: 5, 14: 5, 6: 6, 15: 6, 18: 6, 8: 8, 20: 8, 27: 8}
+"""Corners of a solid element, by its number of nodes."""
+SOLIDS = {4: "tetrahedra", 5: "pyramids", 6: "wedges", 8: "hexahedra"}
+"""Kinds of solid elements, by their number of corners."""
 
 
 @dataclass(kw_only=True)
@@ -49,8 +51,27 @@ class Wall:
 
 
 @dataclass(kw_only=True)
+class Elements:
+    """Elements of a mesh file, of surfaces or solid ones.
+
+    Attributes
+    ----------
+    corners
+        Nodes of each element, as rows of the points, shape (m, 4) of surfaces or (m, 8) of solids; -1 fills up.
+    ids
+        Numbers of the elements in the file, shape (m,).
+    sets
+        Elements of each set, as rows of ``corners``, by name.
+    """
+
+    corners: NDArray[Any]
+    ids: NDArray[Any]
+    sets: dict[str, NDArray[Any]]
+
+
+@dataclass(kw_only=True)
 class Mesh:
-    """The shells of a mesh file.
+    """The elements of a mesh file: those of surfaces, and solid ones beside them.
 
     Attributes
     ----------
@@ -75,7 +96,7 @@ class Mesh:
     masses
         Point masses: x, y, z and mass, in the units of the file.
     solids
-        Numbers of solid elements, by kind and set.
+        Its solid elements.
     notes
         What a reader did or left out, in sentences.
     """
@@ -90,8 +111,38 @@ class Mesh:
     aliases: dict[str, str]
     walls: dict[str, Wall]
     masses: list[tuple[float, float, float, float]]
-    solids: Counter[tuple[str, str]]
+    solids: Elements
     notes: list[str]
+
+    def of_solids(self) -> Mesh:
+        """Return the mesh with its solid elements in place of those of surfaces."""
+        none = Elements(corners=np.zeros((0, 8), np.int64), ids=np.zeros(0, np.int64), sets={})
+        solids = self.solids
+        return replace(
+            self, corners=solids.corners, ids=solids.ids, sets=solids.sets, solids=none,
+            thickness=np.full(len(solids.ids), np.nan),
+        )  # fmt: skip
+
+
+@dataclass
+class _Rows:
+    """Elements as they are read: line, number and nodes of each; and the rows of each set and of each key."""
+
+    elements: list[tuple[int | None, int, tuple[Hashable, ...]]] = field(default_factory=list)
+    sets: dict[str, list[int]] = field(default_factory=dict)
+    by_key: dict[Hashable, list[int]] = field(default_factory=dict)
+    higher: int = 0
+
+    def add(self, line: int | None, number: int, nodes: Sequence[Hashable], corners: int, sets: Iterable[str],
+            key: Hashable) -> int:  # fmt: skip
+        """Add an element whose corners are its first nodes; return its row."""
+        row = len(self.elements)
+        self.higher += len(nodes) > corners
+        self.elements.append((line, number, tuple(nodes[:corners])))
+        self.by_key.setdefault(number if key is None else key, []).append(row)
+        for name in sets:
+            self.sets.setdefault(name, []).append(row)
+        return row
 
 
 @dataclass
@@ -110,17 +161,14 @@ class MeshBuilder:
     left_out: Counter[str] = field(default_factory=Counter)
     aliases: dict[str, str] = field(default_factory=dict)
     walls: dict[str, Wall] = field(default_factory=dict)
-    solids: Counter[tuple[str, str]] = field(default_factory=Counter)
     notes: list[str] = field(default_factory=list)
     _rows: dict[Hashable, int] = field(default_factory=dict)
     _places: list[tuple[float, float, float]] = field(default_factory=list)
     _numbers: list[int] = field(default_factory=list)
-    _elements: list[tuple[int | None, int, tuple[Hashable, ...]]] = field(default_factory=list)
+    _shells: _Rows = field(default_factory=_Rows)
+    _solids: _Rows = field(default_factory=_Rows)
     _thickness: dict[int, float] = field(default_factory=dict)
-    _sets: dict[str, list[int]] = field(default_factory=dict)
-    _of_number: dict[Hashable, list[int]] = field(default_factory=dict)
     _masses: list[tuple[int | None, Hashable, tuple[float, float, float], float]] = field(default_factory=list)
-    _higher: int = 0
 
     def error(self, line: int | None, message: str) -> FileError:
         """Return the error of a line."""
@@ -187,25 +235,31 @@ class MeshBuilder:
         key: Hashable = None,
     ) -> None:
         """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for ``add_to_set``."""
-        corners = CORNERS[len(nodes)]
-        self._higher += len(nodes) > 4
-        row = len(self._elements)
-        self._elements.append((line, number, tuple(nodes[:corners])))
+        row = self._shells.add(line, number, nodes, CORNERS[len(nodes)], sets, key)
         if not math.isnan(thickness):
             self._thickness[row] = thickness
-        self._of_number.setdefault(number if key is None else key, []).append(row)
-        for name in sets:
-            self._sets.setdefault(name, []).append(row)
+
+    def add_solid(
+        self,
+        line: int | None,
+        number: int,
+        nodes: Sequence[Hashable],
+        sets: Iterable[str] = (),
+        *,
+        key: Hashable = None,
+    ) -> None:
+        """Add a solid element: a tetrahedron, pyramid, wedge or hexahedron, with nodes on its edges or without."""
+        if len(nodes) not in SOLID_CORNERS:
+            raise self.error(line, f"element {number} is a solid of {len(nodes)} nodes, which no kind of solid has")
+        self._solids.add(line, number, nodes, SOLID_CORNERS[len(nodes)], sets, key)
 
     def add_to_set(self, name: str, keys: Iterable[Hashable]) -> None:
-        """Add elements to a set by their keys; those that are no shells are left out."""
-        rows = self._sets.setdefault(name, [])
-        for key in keys:
-            rows += self._of_number.get(key, ())
-
-    def add_solid(self, kind: str, name: str = UNNAMED) -> None:
-        """Count a solid element of a set."""
-        self.solids[kind, name] += 1
+        """Add elements to a set by their keys; bars and the like are left out."""
+        chosen = list(keys)
+        for elements in (self._shells, self._solids):
+            rows = elements.sets.setdefault(name, [])
+            for key in chosen:
+                rows += elements.by_key.get(key, ())
 
     def add_wall(
         self, name: str, section: str, thickness: float | None, metal: Wall | None, material: str = ""
@@ -236,11 +290,8 @@ class MeshBuilder:
         FileError
             An element has a node that does not exist.
         """
-        corners = np.full((len(self._elements), 4), -1, dtype=np.int64)
-        for row, (line, number, nodes) in enumerate(self._elements):
-            for corner, key in enumerate(nodes):
-                corners[row, corner] = self._row(line, f"element {number}", key)
-        thickness = np.full(len(corners), np.nan)
+        shells, solids = self._arrays(self._shells, 4), self._arrays(self._solids, 8)
+        thickness = np.full(len(shells.ids), np.nan)
         for row, value in self._thickness.items():
             thickness[row] = value
         masses = []
@@ -248,25 +299,36 @@ class MeshBuilder:
             place = self._places[self._row(line, "a point mass", key)]
             masses.append((*(a + b for a, b in zip(place, offset, strict=True)), mass))
         notes = list(self.notes)
-        if self._higher:
-            count = f"{self._higher} element{'s' * (self._higher != 1)}"
+        if self._shells.higher:
+            count = f"{self._shells.higher} element{'s' * (self._shells.higher != 1)}"
             notes.append(f"{count} with nodes on edges are taken by their corners")
         if self.left_out:
             parts = " and ".join(f"{count} {kind}" for kind, count in self.left_out.items())
-            notes.append(f"left out, as a head is made of shells: {parts}")
+            notes.append(f"left out, as a head has no such elements: {parts}")
         return Mesh(
             path=self.path,
             points=np.array(self._places, float).reshape(-1, 3),
             node_ids=np.array(self._numbers, np.int64),
-            corners=corners,
-            ids=np.array([number for _, number, _ in self._elements], np.int64),
+            corners=shells.corners,
+            ids=shells.ids,
             thickness=thickness,
-            sets={name: np.unique(np.array(rows, np.int64)) for name, rows in self._sets.items()},
+            sets=shells.sets,
             aliases=self.aliases,
             walls=self.walls,
             masses=masses,
-            solids=self.solids,
+            solids=solids,
             notes=notes,
+        )
+
+    def _arrays(self, rows: _Rows, width: int) -> Elements:
+        corners = np.full((len(rows.elements), width), -1, dtype=np.int64)
+        for row, (line, number, nodes) in enumerate(rows.elements):
+            for corner, key in enumerate(nodes):
+                corners[row, corner] = self._row(line, f"element {number}", key)
+        return Elements(
+            corners=corners,
+            ids=np.array([number for _, number, _ in rows.elements], np.int64),
+            sets={name: np.unique(np.array(own, np.int64)) for name, own in rows.sets.items()},
         )
 
     def _row(self, line: int | None, what: str, key: Hashable) -> int:

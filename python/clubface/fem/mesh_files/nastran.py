@@ -15,7 +15,8 @@ SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3, "CTRI
 """Corners of surface elements."""
 THICKNESS = {"CQUAD4": 11, "CQUADR": 11, "CTRIA3": 11, "CTRIAR": 11}
 """Field of the first thickness at a corner, the name being number 0."""
-SOLIDS = {"CTETRA": "tetrahedra", "CHEXA": "hexahedra", "CPENTA": "wedges", "CPYRAM": "pyramids", "CPYRA": "pyramids"}
+SOLIDS = {"CTETRA": 4, "CHEXA": 8, "CPENTA": 6, "CPYRAM": 5, "CPYRA": 5}
+"""Corners of solid elements."""
 BARS = ("CBAR", "CBEAM", "CROD", "CONROD", "CBUSH", "CELAS1", "CELAS2", "CONM1", "CTUBE", "RBE2", "RBE3", "RBAR")
 COMPONENT = re.compile(r'\$HMNAME\s+COMPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"\s*(?P<property>\d+)?')
 """A component of HyperMesh, at times with the property of its elements. Its number is another than that of a property,
@@ -56,7 +57,7 @@ class _File:
         self.members: dict[int, list[str]] = {}
         self.taking: int | None = None
         self.unnamed: int | None = None
-        self.shells: dict[int, tuple[int, float | None]] = {}
+        self.properties: dict[int, tuple[str, int, float | None]] = {}
         self.metals: dict[int, Wall] = {}
         self.offsets = 0
 
@@ -67,8 +68,11 @@ class _File:
             elif card.name in SHELLS:
                 self._shell(card)
             elif card.name in SOLIDS:
-                self.builder.add_solid(SOLIDS[card.name], card[2])
-            elif card.name == "PSHELL":
+                count = SOLIDS[card.name]
+                nodes = [self.builder.number(card.line, card[3 + corner]) for corner in range(count)]
+                number = self.builder.number(card.line, card[1], "an element")
+                self.builder.add_solid(card.line, number, nodes, [card[2] or card[1]])
+            elif card.name in ("PSHELL", "PSOLID"):
                 self._property(card)
             elif card.name == "MAT1":
                 self._metal(card)
@@ -83,9 +87,9 @@ class _File:
                 raise self.builder.error(card.line, message)
         self._name_components()
         self.builder.aliases |= {name: str(number) for number, name in self.names.items()}
-        for number, (metal, thickness) in self.shells.items():
+        for number, (kind, metal, thickness) in self.properties.items():
             material = f"MAT {metal}" if metal else ""
-            self.builder.add_wall(str(number), f"PSHELL {number}", thickness, self.metals.get(metal), material)
+            self.builder.add_wall(str(number), f"{kind} {number}", thickness, self.metals.get(metal), material)
         self.builder.note_offsets(self.offsets, "elements")
         return self.builder.mesh()
 
@@ -174,11 +178,12 @@ class _File:
 
     def _property(self, card: _Card) -> None:
         number = self.builder.number(card.line, card[1], "a property")
-        thickness = self.builder.value(card.line, _number(card[3]), "thickness") if card[3] else None
-        if _number(card[8]).strip("0.+- "):
+        shell = card.name == "PSHELL"
+        thickness = self.builder.value(card.line, _number(card[3]), "thickness") if shell and card[3] else None
+        if shell and _number(card[8]).strip("0.+- "):
             self.builder.left_out["properties with a mass spread over the wall (NSM of PSHELL)"] += 1
         metal = int(card[2]) if card[2].isdecimal() and len(card[2]) < 11 else 0
-        self.shells[number] = metal, thickness
+        self.properties[number] = card.name, metal, thickness
         if (matched := BEFORE.match(card.comment)) is not None and matched["name"].strip():
             self.names.setdefault(number, matched["name"].strip())
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from clubface.errors import FileError, shortened
 from clubface.fem.mesh_files import abaqus, gmsh, lsdyna, nastran
-from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder
+from clubface.fem.mesh_files.mesh import SOLID_CORNERS, Mesh, MeshBuilder
 from clubface.support.files import as_local_file, input_file, read_input
 from clubface.support.processes import IsolatedError, IsolatedProcess
 
@@ -44,7 +44,7 @@ def read_other(path: str) -> Mesh:
 def _add_contents(builder: MeshBuilder, contents: dict[str, Any]) -> None:
     for number, place in enumerate(contents["points"].tolist()):
         builder.add_node(None, number, number + 1, [*place, 0.0, 0.0][:3])
-    tags = {int(value[0]): name for name, value in contents["field_data"].items() if len(value) > 1 and value[1] == 2}
+    tags = {int(value[0]): name for name, value in contents["field_data"].items() if len(value) > 1 and value[1] in (2, 3)}
     builder.aliases = {str(number): name for number, name in tags.items()}
     element = 0
     for block, (kind, nodes) in enumerate(contents["cells"]):
@@ -62,8 +62,10 @@ def _add_contents(builder: MeshBuilder, contents: dict[str, Any]) -> None:
             element += 1
             if kind in SHELLS:
                 builder.add_shell(None, element, corners, own)
+            elif kind not in LINES and len(corners) in SOLID_CORNERS:
+                builder.add_solid(None, element, corners, own)
             elif kind not in LINES:
-                builder.add_solid(kind, own[0] if own else "")
+                builder.left_out[f"of type {kind}"] += 1
 
 
 HEADER, FACET = 84, 50
@@ -138,7 +140,7 @@ LOOKED_AT = 20_000
 
 
 def read_mesh(path: str) -> Mesh:
-    """Return the shells of a mesh file.
+    """Return the elements of a mesh file.
 
     Raises
     ------
