@@ -14,6 +14,7 @@ from clubface.fem.balls import Ball, Piece, ball, ball_names
 from clubface.fem.derivatives import Derivatives, sensitivity, variables
 from clubface.fem.energies import Energy
 from clubface.fem.heads import (
+    Bond,
     DriverHead,
     Hardening,
     IronHead,
@@ -22,6 +23,7 @@ from clubface.fem.heads import (
     Metal,
     ShellHead,
     SolidHead,
+    SolidPart,
     head,
     head_names,
 )

@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "EDGES", "area_vectors", "element_masses", "outer_sides", "outer_triangles", "sums_at_nodes", "tetrahedron_volumes",
-    "triangles",
+    "EDGES", "HEXAHEDRON_SIDES", "TETRAHEDRON_SIDES", "area_vectors", "element_masses", "outer_sides",
+    "outer_triangles", "sums_at_nodes", "tetrahedron_volumes", "triangles",
 ]  # fmt: skip
 
-SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+HEXAHEDRON_SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
 the top."""
 EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
 """Corners at the ends of the edges of a tetrahedron, in whose order the nodes in their middles follow the corners."""
-TRIANGLES = ((0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (0, 3, 2, 7, 9, 6))
+TETRAHEDRON_SIDES = ((0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (0, 3, 2, 7, 9, 6))
 """Nodes of the sides of a tetrahedron: corners, counterclockwise as seen from outside, then the middles of their
 edges."""
 QUARTERS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
@@ -52,12 +52,12 @@ def tetrahedron_volumes(nodes: NDArray[Any], corners: NDArray[Any]) -> NDArray[A
 
 def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
     """Return the sides of hexahedra that belong to no second one, in their own order of corners, shape (m, 4)."""
-    return _once(hexahedra[:, SIDES].reshape(-1, 4), 4)
+    return _once(hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4), 4)
 
 
 def outer_triangles(tetrahedra: NDArray[Any]) -> NDArray[Any]:
     """Return the sides of ten-node tetrahedra that belong to no second one as four triangles each, shape (m, 3)."""
-    return _once(tetrahedra[:, TRIANGLES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
+    return _once(tetrahedra[:, TETRAHEDRON_SIDES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
 
 
 def _once(sides: NDArray[Any], corners: int) -> NDArray[Any]:

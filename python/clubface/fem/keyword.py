@@ -182,7 +182,7 @@ def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements:
     return faces, elements + len(corners)
 
 
-def _solid(deck: Cards, head: SolidHead, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
+def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
     """Write mesh, parts and bonds of a solid head; return the parts of its face, and the last element."""
     if head.grooves is not None:
         deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
@@ -202,7 +202,8 @@ def _solid(deck: Cards, head: SolidHead, touch: dict[str, Any], nodes: int, elem
             last = deck.elements("SOLID", repeat(number, len(rows)), rows, last + 1)
         else:
             deck.keyword("ELEMENT_SOLID")
-            for last, own in enumerate(rows.tolist(), last + 1):
+            for own in rows.tolist():
+                last += 1
                 deck.lines += [element(last, number, []), "".join(f"{each:8d}" for each in own)]
         if np.isin(head.face, corners).all(axis=1).any():
             faces.append(number)

@@ -396,7 +396,9 @@ class SurfaceRecovery:
         on_surface[quads] = True
         centres = np.concatenate([nodes[each].mean(axis=1) for each in elements])
         members = np.concatenate([each.ravel() for each in elements])
-        owners = np.repeat(np.arange(len(centres)), np.concatenate([np.full(len(each), each.shape[1]) for each in elements]))
+        owners = np.repeat(
+            np.arange(len(centres)), np.concatenate([np.full(len(each), each.shape[1]) for each in elements])
+        )
         corners_of = [row for each in elements for row in each]
         order = np.argsort(members, kind="stable")
         ends = np.searchsorted(members[order], np.arange(len(nodes) + 1))

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.fem.balls import node_masses
+from clubface.fem.geometry import HEXAHEDRON_SIDES
 from clubface.fem.heads import ShellHead
 from clubface.fem.pictures import FORCE, LEVEL
-from clubface.fem.result import SIDES, Impact
+from clubface.fem.result import Impact
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.units import from_si
 
@@ -57,7 +58,7 @@ class Section:
         if not len(impact.frames):
             raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
         mesh = impact.ball.mesh
-        faces = mesh["elements"].astype(int)[:, SIDES].reshape(-1, 4)
+        faces = mesh["elements"].astype(int)[:, HEXAHEDRON_SIDES].reshape(-1, 4)
         quads = faces[(abs(mesh["nodes"][faces, 2]) < 1e-9).all(axis=1)]
         # Each quadrangle belongs to the elements on both sides of the plane.
         _, first = np.unique(np.sort(quads, axis=1), axis=0, return_index=True)

@@ -11,6 +11,6 @@ from clubface.fem.heads.read import head, head_names
 from clubface.fem.heads.user_mesh import MeshHead
 
 __all__ = [
-    "DriverHead", "Group", "Hardening", "IronHead", "MeshHead", "MeshedClub", "MeshedHead", "Metal", "Part",
-    "ShellHead", "SolidHead", "head", "head_names", "mesh_of",
+    "Bond", "DriverHead", "Group", "Hardening", "IronHead", "MeshHead", "MeshedClub", "MeshedHead", "Metal", "Part",
+    "ShellHead", "SolidHead", "SolidPart", "head", "head_names", "mesh_of",
 ]  # fmt: skip

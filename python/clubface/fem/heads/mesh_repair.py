@@ -108,7 +108,7 @@ def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
     used = np.unique(shells.corners[shells.corners >= 0])
     points = shells.points[used]
     near = MERGED * float(np.ptp(points, axis=0).max())
-    root = _coincident(points, near)
+    root = coincident(points, near)
     merged = int((root != np.arange(len(root))).sum())
     if not merged:
         return
@@ -137,7 +137,7 @@ def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
     notes.append(text)
 
 
-def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
+def coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
     """Return for each point the first of those that are nearer than ``near``, itself among them."""
     along = points @ np.array(DIRECTION)
     order = np.argsort(along, kind="stable")

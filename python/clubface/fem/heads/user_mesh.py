@@ -1,4 +1,4 @@
-"""A head from your own mesh of shells: thickness and metal by group, from its file or from cards of the mesh."""
+"""A head from your own mesh, of shells or solid: thickness and metal by group, from its file or from cards."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import os
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -15,16 +15,39 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.described import FLAT
-from clubface.errors import InputError, MeshWarning
+from clubface.errors import InputError, MeshWarning, UnknownNameError
+from clubface.fem.balls import ELEMENTS
 from clubface.fem.geometry import area_vectors, sums_at_nodes
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.mesh_frame import check_frame
-from clubface.fem.heads.mesh_groups import GROUP_TABLE, Group, assign, group_values, point_masses, walls
+from clubface.fem.heads.mesh_groups import (
+    GROUP_TABLE,
+    Group,
+    assign,
+    group_values,
+    metals_of,
+    names_solids,
+    point_masses,
+    walls,
+)  # fmt: skip
 from clubface.fem.heads.mesh_repair import Shells, repaired
-from clubface.fem.heads.meshed import Part, ShellHead
+from clubface.fem.heads.meshed import Bond, MeshedHead, Part, ShellHead, SolidHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.mesh_files import read_mesh
-from clubface.schema import NAME, TEXT, FilePath, PhysicalValue, Simple, Tables, check_values, encode, file_key
+from clubface.fem.heads.solid_mesh import facing_sides, solids_of_mesh
+from clubface.fem.mesh_files import Mesh, read_mesh
+from clubface.schema import (
+    NAME,
+    TEXT,
+    Choice,
+    FilePath,
+    PhysicalValue,
+    Record,
+    Simple,
+    Tables,
+    check_values,
+    encode,
+    file_key,
+)  # fmt: skip
 from clubface.support.checks import warn_once
 
 SIZES = (0.06, 0.2)
@@ -40,22 +63,30 @@ FACE_COSINE = math.cos(math.radians(45.0))
 """Cosine of the angle to the face normal up to which the ball may touch an element of a face group."""
 
 
+BOND = {
+    "part": NAME,
+    "to": NAME,
+    "within": PhysicalValue("mm", 0, 2),
+}
+"""The kinds of the values of a bond."""
+BOND_TABLE = Record(BOND, ("part", "to"), make=lambda values, _: Bond(**values))
 RADIUS = PhysicalValue("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True)
 class MeshHead:
-    """A head whose middle surface is a mesh in a file.
+    """A head that is a mesh in a file: of its middle surfaces by shells, or of its walls by solid elements.
 
     The axes of the file are x towards the target, y up and z towards the toe, with the club soled.
 
-    Every element of the mesh belongs to one of the groups.
+    Every element of the mesh belongs to one of the groups; with groups of solid elements those of surfaces are left
+    out. Parts of solid elements that share no nodes are joined by bonds.
     """
 
     name: str = file_key(NAME, "its name in tables")
     description: str = file_key(TEXT, "one sentence", default="")
     file: str | os.PathLike[str] = file_key(
-        FilePath("a path"), "a mesh of triangles and quadrilaterals: Gmsh, Abaqus, Nastran, LS-DYNA, STL or of meshlane"
+        FilePath("a path"), "a mesh: Gmsh, Abaqus, Nastran, LS-DYNA, STL or of meshlane"
     )
     unit: str = file_key(TEXT, "unit of the lengths in the mesh", default="mm")
     loft: float = file_key(PhysicalValue("deg", 0, 75), "elevation of the face normal at the face centre")
@@ -67,6 +98,10 @@ class MeshHead:
         default=(0.0, 0.0, 0.0),
     )
     groups: tuple[Group, ...] = file_key(Tables(GROUP_TABLE), "thickness and metal of the parts of the mesh")
+    element: str = file_key(Choice(ELEMENTS), "kind of the hexahedra", default="one-point")
+    bonds: tuple[Bond, ...] = file_key(
+        Tables(BOND_TABLE, "bond"), "parts of solid elements that are bonded to others", default=()
+    )
     masses: Mapping[str, Place] = file_key(
         MASSES, "added masses, the place counted from the face centre", default_factory=dict
     )
@@ -77,8 +112,15 @@ class MeshHead:
         _check_place("face_centre", self.face_centre)
         if not any(group.face for group in self.groups):
             raise InputError("groups", [group.name for group in self.groups], "groups, at least one with face = true")
+        names = tuple(group.name for group in self.groups)
+        for bond in self.bonds:
+            for name in (bond.part, bond.to):
+                if name not in names:
+                    raise UnknownNameError("group of a bond", name, names)
+            if bond.part == bond.to:
+                raise InputError("bond", f"{bond.part} to itself", "two groups whose surfaces lie on each other")
 
-    def mesh(self) -> ShellHead:
+    def mesh(self) -> ShellHead | SolidHead:
         """Read the file and return the head; what was changed or left out of it is a warning.
 
         Raises
@@ -90,23 +132,26 @@ class MeshHead:
         """
         path = os.fspath(self.file)
         mesh = read_mesh(path)
+        head = self._solid(mesh.of_solids()) if names_solids(mesh, self.groups) else self._shells(mesh)
+        for note in mesh.notes:
+            warn_once(f"{path}: {note}", MeshWarning)
+        return head
+
+    def _shells(self, mesh: Mesh) -> ShellHead:
+        """Return the head of shells."""
         notes = mesh.notes
+        if self.bonds:
+            raise InputError("bonds", [bond.part for bond in self.bonds], "none: shells are joined by shared nodes")
         of_group = assign(mesh, self.groups, notes)
         mesh.thickness, metals = walls(mesh, self.groups, of_group, self.unit, notes)
-        size = units.parse(f"1 {self.unit}", "length")
         shells = repaired(mesh, of_group, np.array([group.face for group in self.groups]), notes)
-        self._check_unit(float(np.ptp(shells.points, axis=0).max()))
-        centre = [units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre]
-        nodes = shells.points * size - np.asarray(centre, float)
-        masses, at_nodes = dict(self.masses), np.zeros(len(nodes))
-        for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit, notes), 1):
-            place = np.array([x, y, z]) * size - centre
-            away = np.linalg.norm(nodes - place, axis=1)
-            if away.min() <= AT_NODE:
-                at_nodes[np.argmin(away)] += mass
-            else:
-                masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
-        self._check_frame(nodes, shells, masses, notes)
+        nodes = self._placed(shells.points)
+        masses, at_nodes = self._masses(mesh, nodes)
+        face = np.array([group.face for group in self.groups])[shells.group]
+        groups = [np.unique(shells.corners[shells.group == place]) for place in range(len(self.groups))]
+        wall = float(shells.thickness[face].max())
+        self._check_frame(nodes, shells.corners[face], wall, shells.node_ids != 0, groups, masses, notes)
+        self._note_rest_of_face(nodes, shells, face, notes)
         parts = self._parts(nodes, shells, metals, notes)
         face = np.unique(shells.corners[np.repeat([part.face for part in parts], [part.elements for part in parts])])
         carried = spread(masses, nodes, _metal_at_nodes(nodes, shells, metals) + at_nodes, face)
@@ -124,10 +169,72 @@ class MeshHead:
             bulge=self.bulge,
             roll=self.roll,
         )
-        _weigh(head, shells)
-        for note in notes:
-            warn_once(f"{path}: {note}", MeshWarning)
+        _weigh(head, shells.ids, shells.node_ids)
         return head
+
+    def _solid(self, mesh: Mesh) -> SolidHead:
+        """Return the head of solid elements."""
+        notes = mesh.notes
+        of_group = assign(mesh, self.groups, notes)
+        metals = metals_of(mesh, self.groups, of_group, self.unit, notes)
+        names = [group.name for group in self.groups]
+        solids = solids_of_mesh(mesh, of_group, names, metals, self.bonds, notes)
+        nodes = self._placed(solids.points)
+        masses, at_nodes = self._masses(mesh, nodes)
+        normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
+        sides = np.concatenate(
+            [part.outside() for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
+        )
+        # Between two parts of the face there is no outside.
+        ordered = np.sort(sides, axis=1)
+        _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
+        face = facing_sides(nodes, sides[first[count == 1]], normal, FACE_COSINE)
+        if not len(face):
+            allowed = "a group whose outside faces the ball, within 45 deg of the normal of the loft"
+            raise InputError("face", ", ".join(group.name for group in self.groups if group.face), allowed)
+        groups = [np.unique(np.concatenate([part.hexahedra.ravel(), part.tetrahedra.ravel()])) for part in solids.parts]
+        self._check_frame(nodes, face, 0.0, solids.node_ids != 0, groups, masses, notes)
+        metal = solids.metal_at_nodes(units.parse(f"1 {self.unit}", "length"))
+        carried = spread(masses, nodes, metal + at_nodes, np.unique(face))
+        if (note := note_of(carried, negligible=1e-2)) is not None:
+            notes.append(note)
+        head = SolidHead(
+            name=self.name,
+            description=self.description,
+            nodes=nodes,
+            parts=solids.parts,
+            face=face,
+            added=carried.added + at_nodes,
+            loft=self.loft,
+            bulge=self.bulge,
+            roll=self.roll,
+            bonds=self.bonds,
+            element=self.element,
+        )
+        _weigh(head, solids.ids, solids.node_ids)
+        return head
+
+    def _placed(self, points: NDArray[Any]) -> NDArray[Any]:
+        """Return points of the file as seen from the face centre [m]."""
+        self._check_unit(float(np.ptp(points, axis=0).max()))
+        size = units.parse(f"1 {self.unit}", "length")
+        return points * size - self._centre(size)
+
+    def _centre(self, size: float) -> NDArray[Any]:
+        return np.array([units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre])
+
+    def _masses(self, mesh: Mesh, nodes: NDArray[Any]) -> tuple[dict[str, Place], NDArray[Any]]:
+        """Return the masses at places, those of the mesh among them, and what stands on nodes of the mesh [kg]."""
+        size = units.parse(f"1 {self.unit}", "length")
+        masses, at_nodes = dict(self.masses), np.zeros(len(nodes))
+        for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit, mesh.notes), 1):
+            place = np.array([x, y, z]) * size - self._centre(size)
+            away = np.linalg.norm(nodes - place, axis=1)
+            if away.min() <= AT_NODE:
+                at_nodes[np.argmin(away)] += mass
+            else:
+                masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
+        return masses, at_nodes
 
     def _parts(
         self, nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal], notes: list[str]
@@ -175,28 +282,34 @@ class MeshHead:
         allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {shown}; {hint}'
         raise InputError("unit", self.unit, allowed)
 
-    def _check_frame(self, nodes: NDArray[Any], shells: Shells, masses: Mapping[str, Place], notes: list[str]) -> None:
-        """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says."""
-        face = np.array([group.face for group in self.groups])[shells.group]
-        quads = shells.corners[face]
-        corners = nodes[quads]
+    def _check_frame(
+        self,
+        nodes: NDArray[Any],
+        sides: NDArray[Any],
+        wall: float,
+        drawn: NDArray[Any],
+        groups: Sequence[NDArray[Any]],
+        masses: Mapping[str, Place],
+        notes: list[str],
+    ) -> None:
+        """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says.
+
+        ``sides`` are the elements of the face, ``wall`` [m] how thick it is about them, and ``groups`` the nodes of the
+        groups.
+        """
+        corners = nodes[sides]
         near = float(np.linalg.norm(corners, axis=-1).min())
         side = float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=-1).max())
-        wall = float(shells.thickness[face].max())
         shown = ", ".join(str(x) for x in self.face_centre)
         if near > side + wall:
             away = f"the nearest node of the face is {units.show(near, 'mm')} away"
             raise InputError("face_centre", shown, f"a place on the face, in {self.unit} as the file: {away}")
-        parts = {
-            group.name: nodes[np.unique(shells.corners[shells.group == place])]
-            for place, group in enumerate(self.groups)
-        }
+        parts = {group.name: nodes[own] for group, own in zip(self.groups, groups, strict=True)}
         parts |= {name: np.array([place[:3]]) for name, place in masses.items()}
         check_frame(
-            nodes, quads, drawn=shells.node_ids != 0, file=os.path.basename(os.fspath(self.file)), loft=self.loft,
-            bulge=self.bulge, roll=self.roll, wall=wall, centre=shown, parts=parts, notes=notes,
+            nodes, sides, drawn=drawn, file=os.path.basename(os.fspath(self.file)), loft=self.loft, bulge=self.bulge,
+            roll=self.roll, wall=wall, centre=shown, parts=parts, notes=notes,
         )  # fmt: skip
-        self._note_rest_of_face(nodes, shells, face, notes)
 
     def _facing(self, nodes: NDArray[Any], shells: Shells) -> NDArray[Any]:
         """Return the cosine of the angle between the normal of each element and that of the face."""
@@ -243,7 +356,9 @@ def text(
         lines.append(f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n")
     centre = [each if isinstance(each, str) else float(each) for each in head.face_centre]
     groups = [group_values(group) for group in head.groups]
-    return "".join([*lines, encode(head, file=path.replace(os.sep, "/"), face_centre=centre, groups=groups)])
+    bonds = [asdict(bond) for bond in head.bonds]
+    own = encode(head, file=path.replace(os.sep, "/"), face_centre=centre, groups=groups, bonds=bonds)
+    return "".join([*lines, own])
 
 
 def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
@@ -253,22 +368,22 @@ def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]
     return sums_at_nodes(shells.corners, 0.25 * area * density * shells.thickness, len(nodes))
 
 
-def _weigh(head: ShellHead, shells: Shells) -> None:
+def _weigh(head: MeshedHead, ids: NDArray[Any], node_ids: NDArray[Any]) -> None:
     """Weigh a head, for which the core checks its mesh; elements and nodes go by the numbers of the file in errors."""
     try:
         _ = head.club
     except InputError as error:
 
         def element(match: re.Match[str]) -> str:
-            return f"element {shells.ids[int(match[1])]}{match[2]}"
+            return f"element {ids[int(match[1])]}{match[2]}"
 
         def node(match: re.Match[str]) -> str:
-            return f"node {shells.node_ids[int(match[1])]}"
+            return f"node {node_ids[int(match[1])]}"
 
         error.parameter = re.sub(r"^element (\d+)( of )", element, error.parameter)
         error.parameter = re.sub(
             r"(?<=elements )(\d+) and (\d+)",
-            lambda match: " and ".join(str(shells.ids[int(each)]) for each in match.groups()),
+            lambda match: " and ".join(str(ids[int(each)]) for each in match.groups()),
             error.parameter,
         )
         if isinstance(error.value, str):

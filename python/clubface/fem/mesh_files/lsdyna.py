@@ -127,8 +127,9 @@ class _File:
         for row in rows:
             number, part, *nodes = row.fields(*[8] * 10)
             if numbers is None:
-                numbers = self.builder.number(row.line, number, "an element"), self.builder.number(
-                    row.line, part, "a part"
+                numbers = (
+                    self.builder.number(row.line, number, "an element"),
+                    self.builder.number(row.line, part, "a part"),
                 )
                 # In the format of two lines the second has the nodes; the first, number and part alone.
                 if not any(nodes) or len(row.text.split()) == 2:

@@ -44,7 +44,9 @@ def read_other(path: str) -> Mesh:
 def _add_contents(builder: MeshBuilder, contents: dict[str, Any]) -> None:
     for number, place in enumerate(contents["points"].tolist()):
         builder.add_node(None, number, number + 1, [*place, 0.0, 0.0][:3])
-    tags = {int(value[0]): name for name, value in contents["field_data"].items() if len(value) > 1 and value[1] in (2, 3)}
+    tags = {
+        int(value[0]): name for name, value in contents["field_data"].items() if len(value) > 1 and value[1] in (2, 3)
+    }
     builder.aliases = {str(number): name for number, name in tags.items()}
     element = 0
     for block, (kind, nodes) in enumerate(contents["cells"]):

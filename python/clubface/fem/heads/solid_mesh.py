@@ -1,0 +1,230 @@
+"""From the solid elements of a mesh file to parts that the core takes: ten-node tetrahedra and hexahedra.
+
+Tetrahedra get nodes in the middle of straight edges, whatever nodes the file has there: four-node ones hardly bend.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from clubface.errors import FileError
+from clubface.fem.geometry import (
+    EDGES,
+    HEXAHEDRON_SIDES,
+    TETRAHEDRON_SIDES,
+    element_masses,
+    sums_at_nodes,
+    tetrahedron_volumes,
+)  # fmt: skip
+from clubface.fem.heads.mesh_repair import MERGED, coincident
+from clubface.fem.heads.meshed import Bond, SolidPart
+from clubface.fem.heads.metal import Metal
+from clubface.fem.mesh_files import SOLIDS, Mesh
+
+MASS_SHARES = np.array([1.0 / 36.0] * 4 + [4.0 / 27.0] * 6)
+"""Parts of the mass of a tetrahedron at its nodes, as the core has them."""
+TOP_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
+"""A hexahedron the other way up, which turns it inside out."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solids:
+    """The solid elements of a head.
+
+    Attributes
+    ----------
+    points
+        Places of nodes, in the unit of the file, shape (n, 3).
+    node_ids
+        Their numbers in the file; 0 for one that was added.
+    parts
+        Elements by group.
+    ids
+        Numbers of the elements in the file, in the order of results.
+    """
+
+    points: NDArray[Any]
+    node_ids: NDArray[Any]
+    parts: tuple[SolidPart, ...]
+    ids: NDArray[Any]
+
+    def metal_at_nodes(self, size: float) -> NDArray[Any]:
+        """Return the mass of metal at each node [kg]; ``size`` is that of the unit of the points [m]."""
+        nodes, masses = self.points * size, np.zeros(len(self.points))
+        for part in self.parts:
+            each = element_masses(nodes, part.hexahedra, part.metal.density)
+            masses += sums_at_nodes(part.hexahedra, each / 8.0, len(nodes))
+            each = part.metal.density * tetrahedron_volumes(nodes, part.tetrahedra)
+            masses += np.bincount(part.tetrahedra.ravel(), np.outer(each, MASS_SHARES).ravel(), len(nodes))
+        return masses
+
+
+def solids_of_mesh(
+    mesh: Mesh,
+    of_group: NDArray[Any],
+    names: Sequence[str],
+    metals: Sequence[Metal],
+    bonds: Sequence[Bond],
+    notes: list[str],
+) -> Solids:
+    """Return the solid elements of a mesh, oriented, with their seams closed but for those of bonds.
+
+    Parameters
+    ----------
+    mesh
+        The file, its elements solid ones.
+    of_group
+        Group of each element.
+    names, metals
+        Of the groups.
+    bonds
+        Parts whose nodes stay apart from those of others.
+    notes
+        Sentences on what was changed are added to them.
+
+    Raises
+    ------
+    FileError
+        There are wedges or pyramids, an element is degenerate, or tetrahedra and hexahedra share nodes.
+    """
+    counts = (mesh.corners >= 0).sum(axis=1)
+    _check_kinds(mesh, counts)
+    corners = mesh.corners.copy()
+    apart = np.isin(of_group, [names.index(bond.part) for bond in bonds]) * (1 + of_group)
+    _merge_nodes(mesh, corners, np.stack([counts, apart], axis=1), notes)
+    tetrahedra, hexahedra = corners[counts == 4, :4], corners[counts == 8]
+    _turn_outward(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra, mesh.ids[counts == 8], notes)
+    _check_shared(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra)
+    points, tetrahedra = _with_middles(mesh.points, tetrahedra)
+    node_ids = np.concatenate([mesh.node_ids, np.zeros(len(points) - len(mesh.points), np.int64)])
+    used, places = np.unique(np.concatenate([hexahedra.ravel(), tetrahedra.ravel()]), return_inverse=True)
+    hexahedra, tetrahedra = (
+        each.reshape(-1, width) for each, width in zip(np.split(places.ravel(), [hexahedra.size]), (8, 10), strict=True)
+    )
+    parts, ids = [], [np.zeros(0, np.int64)]
+    for kind in (8, 4):
+        ids += [mesh.ids[(counts == kind) & (of_group == number)] for number in range(len(names))]
+    for number, (name, metal) in enumerate(zip(names, metals, strict=True)):
+        own = [elements[of_group[counts == kind] == number] for elements, kind in ((hexahedra, 8), (tetrahedra, 4))]
+        parts.append(SolidPart(name=name, metal=metal, hexahedra=own[0], tetrahedra=own[1]))
+    return Solids(points=points[used], node_ids=node_ids[used], parts=tuple(parts), ids=np.concatenate(ids))
+
+
+def _check_kinds(mesh: Mesh, counts: NDArray[Any]) -> None:
+    """Refuse elements of kinds that a head cannot have."""
+    others = Counter(SOLIDS[int(count)] for count in counts if count not in (4, 8))
+    if others:
+        listed = " and ".join(f"{count} {kind}" for kind, count in others.items())
+        first = int(mesh.ids[np.flatnonzero((counts != 4) & (counts != 8))[0]])
+        message = (
+            f"{listed}, such as element {first}: a solid head has tetrahedra or hexahedra; mesh it with one of them"
+        )
+        raise FileError(mesh.path, None, message)
+
+
+def _merge_nodes(mesh: Mesh, corners: NDArray[Any], kinds: NDArray[Any], notes: list[str]) -> None:
+    """Make one of nodes at one place, where elements of the same kind have them; refuse elements that lose an edge."""
+    merged = 0
+    for kind in np.unique(kinds, axis=0):
+        rows = (kinds == kind).all(axis=1)
+        own = corners[rows]
+        used = np.unique(own[own >= 0])
+        near = MERGED * float(np.ptp(mesh.points[used], axis=0).max())
+        root = coincident(mesh.points[used], near)
+        merged += int((root != np.arange(len(root))).sum())
+        to = np.arange(len(mesh.points))
+        to[used] = used[root]
+        corners[rows] = np.where(own >= 0, to[own], -1)
+    if merged:
+        notes.append(f"{merged} nodes at the place of another are merged with it")
+    ordered = np.sort(corners, axis=1)
+    doubled = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
+    if doubled.any():
+        element = mesh.ids[int(np.argmax(doubled))]
+        raise FileError(mesh.path, None, f"element {element} is degenerate: it has two nodes at one place")
+
+
+def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray[Any], hexahedra: NDArray[Any],
+                  hexahedron_ids: NDArray[Any], notes: list[str]) -> None:  # fmt: skip
+    """Turn elements whose nodes are listed the other way round; refuse flat ones."""
+    volumes = tetrahedron_volumes(mesh.points, tetrahedra)
+    inside = volumes < 0.0
+    tetrahedra[inside] = tetrahedra[inside][:, [0, 2, 1, 3]]
+    corner = mesh.points[hexahedra]
+    size = np.einsum(
+        "ij,ij->i",
+        np.cross(corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
+                 corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1)),
+        corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1),
+    )  # fmt: skip
+    hexahedra[size < 0.0] = hexahedra[size < 0.0][:, TOP_FIRST]
+    turned = int(inside.sum()) + int((size < 0.0).sum())
+    if turned:
+        notes.append(f"{turned} elements list their nodes the other way round, which is turned")
+    for value, ids in ((volumes, tetrahedron_ids), (size, hexahedron_ids)):
+        flat = np.abs(value) <= 1e-9 * np.median(np.abs(value)) if len(value) else value > 0.0
+        if flat.any():
+            raise FileError(mesh.path, None, f"element {ids[int(np.argmax(flat))]} is flat: it has no volume")
+
+
+def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexahedra: NDArray[Any]) -> None:
+    """Refuse a side of a tetrahedron on that of a hexahedron, where the nodes in the middle of edges would hang."""
+    if not len(tetrahedra) or not len(hexahedra):
+        return
+    sides = hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4)
+    of_hexahedra = {
+        tuple(each) for left in range(4) for each in np.sort(np.delete(sides, left, axis=1), axis=1).tolist()
+    }
+    of_tetrahedra = np.sort(tetrahedra[:, [list(side[:3]) for side in TETRAHEDRON_SIDES]], axis=2)
+    for element, own in zip(ids.tolist(), of_tetrahedra.tolist(), strict=True):
+        if any(tuple(side) in of_hexahedra for side in own):
+            message = (
+                f"element {element}, a tetrahedron, shares a side with a hexahedron: mesh both parts with one kind, or"
+                " give each part nodes of its own and join the two under [[bonds]]"
+            )
+            raise FileError(mesh.path, None, message)
+
+
+def _with_middles(points: NDArray[Any], corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return points and tetrahedra with nodes in the middle of their edges."""
+    ends = np.sort(corners[:, EDGES].reshape(-1, 2), axis=1)
+    edges, places = np.unique(ends, axis=0, return_inverse=True)
+    middles = len(points) + places.reshape(-1, len(EDGES))
+    return np.concatenate([points, points[edges].mean(axis=1)]), np.concatenate([corners, middles], axis=1)
+
+
+def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any], cosine: float) -> NDArray[Any]:
+    """Return the sides that face along a normal and hang together with the one nearest to the origin.
+
+    Parameters
+    ----------
+    nodes
+        Places of the nodes [m], shape (n, 3).
+    sides
+        Quadrilaterals, shape (m, 4); a triangle has its last corner twice.
+    normal
+        Unit vector.
+    cosine
+        Least cosine of the angle between a side's normal and that one.
+    """
+    a, b, c, d = (nodes[sides[:, corner]] for corner in range(4))
+    area = np.cross(c - a, d - b)
+    facing = sides[area @ normal >= cosine * np.linalg.norm(area, axis=1)]
+    if not len(facing):
+        return facing
+    # Every node takes the least number of those that it hangs together with.
+    label = np.arange(len(nodes))
+    while True:
+        least = label[facing].min(axis=1)
+        before = label.copy()
+        np.minimum.at(label, facing, least[:, None])
+        if (label == before).all():
+            break
+    nearest = int(np.linalg.norm(nodes[facing].mean(axis=1), axis=1).argmin())
+    return facing[label[facing[:, 0]] == label[facing[nearest, 0]]]
