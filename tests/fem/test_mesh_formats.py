@@ -259,7 +259,7 @@ def test_a_deck_that_clubface_writes_is_read_back(tmp_path):
     case, path = shells_case(), tmp_path / "own.k"
     fem.keyword.write(case, path)
     groups = tuple(Group(name=part.name, face=part.face) for part in case.club.parts)
-    with pytest.warns(MeshWarning, match="left out, as no group names them: .* solids"):
+    with pytest.warns(MeshWarning, match="left out, as no group without a thickness names them: .* hexahedra"):
         head = read(path, groups, unit="m", loft=0.0)
     assert head.elements == case.club.elements
     assert head.club.mass == pytest.approx(case.club.club.mass, rel=1e-6)

@@ -29,6 +29,8 @@ from clubface.fem.mesh_files import SOLIDS, Mesh
 
 MASS_SHARES = np.array([1.0 / 36.0] * 4 + [4.0 / 27.0] * 6)
 """Parts of the mass of a tetrahedron at its nodes, as the core has them."""
+SLIVER = 5.0
+"""How many times a tetrahedron may be flatter than half of the others without a note."""
 TOP_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
 """A hexahedron the other way up, which turns it inside out."""
 
@@ -100,6 +102,7 @@ def solids_of_mesh(
     _merge_nodes(mesh, corners, np.stack([counts, apart], axis=1), notes)
     tetrahedra, hexahedra = corners[counts == 4, :4], corners[counts == 8]
     _turn_outward(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra, mesh.ids[counts == 8], notes)
+    _note_sliver(mesh, tetrahedra, mesh.ids[counts == 4], notes)
     _check_shared(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra)
     points, tetrahedra = _with_middles(mesh.points, tetrahedra)
     node_ids = np.concatenate([mesh.node_ids, np.zeros(len(points) - len(mesh.points), np.int64)])
@@ -171,6 +174,24 @@ def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray
         flat = np.abs(value) <= 1e-9 * np.median(np.abs(value)) if len(value) else value > 0.0
         if flat.any():
             raise FileError(mesh.path, None, f"element {ids[int(np.argmax(flat))]} is flat: it has no volume")
+
+
+def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], notes: list[str]) -> None:
+    """Note the flattest tetrahedron if a run has many more steps for it."""
+    if not len(tetrahedra):
+        return
+    corners = mesh.points[tetrahedra]
+    sides = [np.cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a])
+             for a, b, c in ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))]  # fmt: skip
+    largest = 0.5 * np.linalg.norm(sides, axis=2).max(axis=0)
+    height = 3.0 * np.abs(tetrahedron_volumes(mesh.points, tetrahedra)) / largest
+    flattest = int(height.argmin())
+    slower = float(np.median(height) / height[flattest])
+    if slower > SLIVER:
+        notes.append(
+            f"element {ids[flattest]} is {slower:.0f} times flatter than most, and a run takes about as many times"
+            " longer for it; mesh the head without slivers"
+        )
 
 
 def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexahedra: NDArray[Any]) -> None:
