@@ -362,6 +362,52 @@ def own_meshes() -> None:
         )
 
 
+OWN_IRON = {
+    "loft": "30 deg", "length": "78 mm", "heel_height": "36 mm", "toe_height": "46 mm", "face": "5 mm", "sole": "16 mm",
+    "top": "9 mm", "rim": 0.25, "rounding": "3 mm",
+}  # fmt: skip
+"""The cavity-back iron of the page."""
+SIX = ((0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6))
+"""Corners of the six tetrahedra that a hexahedron is cut into."""
+
+
+def solid_meshes() -> None:
+    """One iron of hexahedra, of tetrahedra, and with the front half of its blade bonded on, under one strike."""
+
+    def strike(what: str, head: fem.MeshedHead) -> None:
+        run = fem.strike(head, settings=END, speed="38 m/s", loft="30 deg", friction=0.3)
+        print_figures(what, elements=head.elements, speed=run.normal_velocity, backspin=run.backspin * RPM,
+                      steps=run.steps, seconds=run.wall)  # fmt: skip
+
+    def own(nodes: NDArray[Any], groups: dict[str, NDArray[Any]], *bonds: fem.Bond) -> fem.MeshedHead:
+        lines = ["*NODE", *(f"{number}, {x:.9g}, {y:.9g}, {z:.9g}" for number, (x, y, z) in enumerate(nodes, 1))]
+        number = 0
+        for name, elements in groups.items():
+            lines.append(f"*ELEMENT, TYPE=C3D{elements.shape[1]}, ELSET={name}")
+            for row in elements.tolist():
+                number += 1
+                lines.append(", ".join(map(str, (number, *(corner + 1 for corner in row)))))
+        metal = {"youngs": 193e9, "poisson": 0.29, "density": 7800.0}
+        parts = tuple(Group(name=name, metal=metal, face=place == 0) for place, name in enumerate(groups))
+        with TemporaryDirectory() as folder, warnings.catch_warnings():
+            warnings.simplefilter("ignore", MeshWarning)
+            file = Path(folder) / "head.inp"
+            file.write_text("\n".join([*lines, ""]))
+            return MeshHead(name="iron", file=file, unit="m", loft="30 deg", groups=parts, bonds=bonds).mesh()
+
+    for elements in ((20, 12, 2), (40, 24, 4)):
+        made = fem.IronHead(name="iron", shape=OWN_IRON, elements=elements).mesh()
+        strike(f"{made.elements} hexahedra", made)
+    made = fem.IronHead(name="iron", shape=OWN_IRON, elements=(20, 12, 2)).mesh()
+    strike("tetrahedra", own(made.nodes, {"head": made.hexahedra[:, SIX].reshape(-1, 4)}))
+    # The front layer as a part with nodes of its own.
+    front = np.arange(made.elements) >= made.elements // 2
+    used, places = np.unique(made.hexahedra[front], return_inverse=True)
+    plate = (len(made.nodes) + places).reshape(-1, 8)[:, SIX].reshape(-1, 4)
+    nodes = np.concatenate([made.nodes, made.nodes[used]])
+    strike("bonded", own(nodes, {"face": plate, "body": made.hexahedra[~front]}, fem.Bond(part="face", to="body")))
+
+
 def abaqus(nodes: NDArray[Any], elements: list[tuple[str, NDArray[Any]]]) -> str:
     """Return a mesh of named triangles and quadrilaterals as an Abaqus deck."""
     lines = ["*NODE", *(f"{number}, {x:.9g}, {y:.9g}, {z:.9g}" for number, (x, y, z) in enumerate(nodes, 1))]
@@ -591,6 +637,7 @@ SECTIONS = {
     "meshes": meshes,
     "finer strikers": finer_strikers,
     "own meshes": own_meshes,
+    "solid meshes": solid_meshes,
     "stresses": stresses,
     "OpenRadioss": openradioss,
     "contact models": contact_models,

@@ -1,12 +1,15 @@
 """Solid heads of one's own mesh: tetrahedra and hexahedra from files, bonds, and what is refused."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from clubface import fem
-from clubface.errors import FileError, InputError, MeshWarning, UnknownNameError
+from clubface.errors import FileError, InputError, UnknownNameError
 from clubface.fem.geometry import tetrahedron_volumes
 from clubface.fem.heads import Bond, Group, MeshHead
+from clubface.fem.result import SurfaceRecovery
 from fem_runs import coarse
 from solid_meshes import abaqus_solids, gmsh_solids, lsdyna_solids, nastran_solids, tetrahedra_of
 
@@ -17,6 +20,7 @@ SHAPE = {
 BLADE = {**SHAPE, "toe_height": "36 mm", "face": "8 mm", "sole": "8 mm", "top": "8 mm", "rounding": "0 mm"}
 STEEL = {"youngs": "193 GPa", "poisson": 0.29, "density": "7800 kg/m3"}
 FLAT = {"loft": "30 deg", "unit": "mm"}
+ROOT = Path(__file__).parents[2]
 pytestmark = [pytest.mark.filterwarnings("ignore::clubface.errors.MeshWarning"), pytest.mark.usefixtures("new_process")]
 
 
@@ -31,7 +35,8 @@ def read(path, *names, bonds=(), **changes):
 
 
 def launch(head, **changes):
-    how = {"speed": "38 m/s", "loft": "30 deg", "friction": 0.3, "ball": coarse(), **changes}
+    # The usual ball: under one with a few heavy nodes, light nodes of a face sink in.
+    how = {"speed": "38 m/s", "loft": "30 deg", "friction": 0.3, **changes}
     run = fem.strike(head, settings=fem.Settings(until_separation=True), **how)
     assert run.stopped is None
     assert run.energy_error < 0.01
@@ -60,14 +65,14 @@ def test_every_format_gives_the_same_solid_head(tmp_path, name, corners):
 
 
 def test_tetrahedra_launch_as_hexahedra_do(tmp_path):
-    # The same solid by another element: bent walls of two layers of one-point hexahedra and of two of tetrahedra differ
-    # by some per cent in stiffness, of which ball speed sees a twentieth.
+    # The same solid by another element. Hexahedra of four layers launch 0.07% faster than tetrahedra of two and as much
+    # slower in spin, and hexahedra of two 0.03% and 0.2%.
     made = iron()
     path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
     one, other = launch(made), launch(read(path))
-    assert other.ball_speed == pytest.approx(one.ball_speed, rel=3e-3)
-    assert other.backspin == pytest.approx(one.backspin, rel=0.02)
-    assert other.peak_force == pytest.approx(one.peak_force, rel=0.02)
+    assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=1e-3)
+    assert other.backspin == pytest.approx(one.backspin, rel=5e-3)
+    assert other.peak_force == pytest.approx(one.peak_force, rel=5e-3)
 
 
 def insert(made, kind):
@@ -91,7 +96,7 @@ def test_a_bonded_plate_is_as_one_piece(tmp_path, kind):
     head = read(path, "plate", "body", bonds=(Bond(part="plate", to="body"),))
     assert head.club.mass == pytest.approx(made.club.mass, rel=1e-6)
     one, other = launch(made), launch(head)
-    assert other.ball_speed == pytest.approx(one.ball_speed, rel=2e-3)
+    assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=2e-3)
     assert other.backspin == pytest.approx(one.backspin, rel=0.01)
 
 
@@ -102,7 +107,7 @@ def test_seams_close_without_a_bond(tmp_path):
     path = gmsh_solids(tmp_path / "two.msh", nodes, groups)
     head = read(path, "plate", "body")
     assert len(head.nodes) == len(made.nodes)
-    assert launch(head).ball_speed == pytest.approx(launch(made).ball_speed, rel=1e-6)
+    assert launch(head).normal_velocity == pytest.approx(launch(made).normal_velocity, rel=1e-6)
 
 
 def test_parts_have_metals_of_their_own(tmp_path):
@@ -116,6 +121,31 @@ def test_parts_have_metals_of_their_own(tmp_path):
     stress = fem.stress.blow_stress(head, speed="20 m/s", ball=coarse())
     assert [part.part for part in stress.parts] == ["plate", "body"]
     assert all(part.stress > 1e7 for part in stress.parts)
+
+
+def test_stress_that_is_linear_is_exact_at_the_surface_of_tetrahedra(tmp_path):
+    made = iron(elements=(12, 8, 1))
+    path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
+    head = read(path)
+    recovery = SurfaceRecovery.of_mesh(head.nodes, head.tetrahedra)
+    assert recovery.extrapolated.all()
+    assert len(recovery.nodes) == len(np.unique(recovery.quads))
+    slopes = np.array([[3e9, -1e9, 2e9], [0.0, 5e9, 1e9]]).T
+    of_elements = 1e8 + head.nodes[head.tetrahedra].mean(axis=1) @ slopes
+    # Rounding.
+    at_nodes = recovery.at_nodes(of_elements[None])[0]
+    assert at_nodes == pytest.approx(1e8 + head.nodes[recovery.nodes] @ slopes, abs=1.0)
+
+
+def test_one_layer_of_tetrahedra_sees_how_a_wall_bends(tmp_path):
+    # Hexahedra in four layers come to 269 MPa, and to 290 with more of them along the blade; tetrahedra to 297 in one
+    # layer and to 301 in two. One layer of hexahedra sees 79.
+    blow = {"speed": "42 m/s"}
+    one, four = (iron(elements=(16, 10, layers)) for layers in (1, 4))
+    path = gmsh_solids(tmp_path / "head.msh", one.nodes * 1e3, {"head": tetrahedra_of(one.hexahedra).tolist()})
+    bent, reference, flat = (fem.stress.blow_stress(head, **blow).parts[0].stress for head in (read(path), four, one))
+    assert bent == pytest.approx(reference, rel=0.12)
+    assert flat < 0.5 * reference
 
 
 def test_groups_of_surfaces_are_left_out_beside_solids(tmp_path):
@@ -190,5 +220,12 @@ def test_a_solid_head_is_a_file_like_any_other(tmp_path):
     meshlane = pytest.importorskip("meshlane")
     cells = meshlane.read(written[1]).cells
     assert [(block.type, len(block.data)) for block in cells][1] == ("tetra10", head.elements)
-    with pytest.warns(MeshWarning):
-        fem.head(file)
+
+
+def test_the_iron_of_the_page_is_the_example():
+    page = (ROOT / "docs" / "finite-elements" / "heads.md").read_text()
+    example = (ROOT / "examples" / "own_iron.toml").read_text().partition("\n")[2]
+    assert f"```toml\n{example}```" in page
+    head = fem.head(ROOT / "examples" / "own_iron.toml")
+    assert [part.name for part in head.parts] == ["face", "body"]
+    assert len(head.parts[0].tetrahedra) == head.elements - len(head.parts[1].hexahedra) > 0

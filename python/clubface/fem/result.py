@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError
 from clubface.fem.balls import Ball
-from clubface.fem.geometry import outer_sides, outer_triangles
+from clubface.fem.geometry import EDGES, outer_sides, outer_triangles
 from clubface.fem.heads import ShellHead
 from clubface.results.result import Described, Result
 from clubface.simulation.results import inputs
@@ -249,7 +249,7 @@ class Impact(Described):
 
     @property
     def elements(self) -> int:
-        """Number of hexahedra and shells."""
+        """Number of elements."""
         return self.ball.elements + (0 if self.head is None else self.head.elements)
 
     @property
@@ -352,6 +352,8 @@ def _fields(
     return ball_fields, ElementFields.from_core(of_head, frames, head.elements, shells=isinstance(head, ShellHead))
 
 
+FEWEST = 10
+"""Tetrahedra round a node of the surface for a fit by themselves: it has four coefficients."""
 FLAT = 1e-3
 """Singular values below this share of the largest say that a patch has no extent in a direction."""
 
@@ -404,19 +406,13 @@ class SurfaceRecovery:
         ends = np.searchsorted(members[order], np.arange(len(nodes) + 1))
         around = [owners[order[start:end]] for start, end in pairwise(ends)]
         surface = np.flatnonzero(on_surface)
-        patches, inside = [], []
-        for node in surface:
-            corners = np.unique(np.concatenate([corners_of[each] for each in around[node]]))
-            near = corners[~on_surface[corners]]
-            inside.append(near.size > 0)
-            if near.size == 0:
-                patches.append((around[node], np.full(len(around[node]), 1.0 / len(around[node]))))
-                continue
-            middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
-            away, there = centres[around[middle]] - nodes[middle], nodes[node] - nodes[middle]
-            size = abs(away).max()
-            terms = np.column_stack([np.ones(len(away)), away / size])
-            patches.append((around[middle], np.array([1.0, *there / size]) @ np.linalg.pinv(terms, rcond=FLAT)))
+        if elements[-1].shape[1] == 10:
+            ends_of = {int(row[4 + at]): (int(row[i]), int(row[j])) for row in elements[-1]
+                       for at, (i, j) in enumerate(EDGES)}  # fmt: skip
+            patches = _patches_at_corners(nodes, surface, around, centres, corners_of, ends_of)
+            inside = [True] * len(surface)
+        else:
+            patches, inside = _patches_from_inside(nodes, surface, around, centres, corners_of, on_surface)
         most = max(len(shares) for _, shares in patches)
         chosen, weights = np.zeros((len(surface), most), int), np.zeros((len(surface), most))
         for row, (patch, shares) in enumerate(patches):
@@ -426,6 +422,71 @@ class SurfaceRecovery:
     def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
+
+
+Patches = list[tuple[NDArray[Any], NDArray[Any]]]
+"""Elements and their shares, for each node of a surface."""
+
+
+def _patches_from_inside(
+    nodes: NDArray[Any],
+    surface: NDArray[Any],
+    around: list[NDArray[Any]],
+    centres: NDArray[Any],
+    corners_of: list[NDArray[Any]],
+    on_surface: NDArray[Any],
+) -> tuple[Patches, list[bool]]:
+    """Return the patch of the nearest node inside for each node of a surface, and whether there is such a node."""
+    patches, inside = [], []
+    for node in surface:
+        corners = np.unique(np.concatenate([corners_of[each] for each in around[node]]))
+        near = corners[~on_surface[corners]]
+        inside.append(near.size > 0)
+        if near.size == 0:
+            patches.append((around[node], np.full(len(around[node]), 1.0 / len(around[node]))))
+            continue
+        middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
+        patches.append((around[middle], _shares_at(nodes[node], nodes[middle], centres[around[middle]])))
+    return patches, inside
+
+
+def _patches_at_corners(
+    nodes: NDArray[Any],
+    surface: NDArray[Any],
+    around: list[NDArray[Any]],
+    centres: NDArray[Any],
+    corners_of: list[NDArray[Any]],
+    ends_of: dict[int, tuple[int, int]],
+) -> Patches:
+    """Return the patch of each node of a surface of tetrahedra: the elements round it, which lie at several depths.
+
+    Where they are few, their neighbours belong to it too. A node in the middle of an edge takes the mean of its ends,
+    which ``ends_of`` names.
+    """
+
+    def at_corner(node: int) -> tuple[NDArray[Any], NDArray[Any]]:
+        patch = around[node]
+        if len(patch) < FEWEST:
+            neighbours = np.unique(np.concatenate([corners_of[each] for each in patch]))
+            patch = np.unique(np.concatenate([around[each] for each in neighbours]))
+        return patch, _shares_at(nodes[node], nodes[node], centres[patch])
+
+    corners = sorted({end for node in surface for end in ends_of.get(int(node), (int(node),))})
+    of_corner = {node: at_corner(node) for node in corners}
+    patches = []
+    for node in surface:
+        ends = ends_of.get(int(node), (int(node),))
+        patch, shares = (np.concatenate(each) for each in zip(*(of_corner[end] for end in ends), strict=True))
+        patches.append((patch, shares / len(ends)))
+    return patches
+
+
+def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any]) -> NDArray[Any]:
+    """Return the shares of elements in the value at a place of a linear function through theirs about ``middle``."""
+    away, there = centres - middle, place - middle
+    size = abs(away).max()
+    terms = np.column_stack([np.ones(len(away)), away / size])
+    return np.array([1.0, *there / size]) @ np.linalg.pinv(terms, rcond=FLAT)
 
 
 def _as_quads(sides: NDArray[Any]) -> NDArray[Any]:

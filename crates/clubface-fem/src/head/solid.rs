@@ -15,10 +15,6 @@ use std::ops::Range;
 /// Nodes that a patch of a bond takes.
 const BOND_PATCH: usize = 1000;
 
-/// Stiffness of a bond over that with which the metal behind a node holds it: a bond gives as much as a layer of a
-/// quarter of that depth would.
-const BOND_STIFFNESS: f64 = 4.0;
-
 /// Consecutive elements of a head, of one material.
 #[derive(Clone, Debug)]
 pub struct SolidPart<R> {
@@ -90,14 +86,15 @@ impl<R: Real> SolidHead<R> {
             let material = &self.parts[bond.part].material;
             let modulus = material.bulk + material.instantaneous_shear() * (4.0 / 3.0);
             for each in bonded {
-                // The mass of a node is that of metal behind its part of the surface, to a depth.
+                // The mass of a node is that of metal behind its part of the surface, to a depth. Its spring is as stiff
+                // as that metal: it gives less than an element, and hardly shortens the stable step.
                 let depth = masses[each.node as usize] / (material.density * each.area);
                 self.nodes[each.node as usize] = each.place;
                 self.ties.push(Tie {
                     node: each.node,
                     face: bond.other[each.triangle],
                     weights: each.weights,
-                    stiffness: modulus * (each.area * BOND_STIFFNESS) / depth,
+                    stiffness: modulus * each.area / depth,
                 });
             }
         }
