@@ -35,10 +35,10 @@ from clubface.fem.run import strike, throw
 from clubface.fem.settings import Settings
 
 __all__ = [
-    "Ball", "Derivatives", "DriverHead", "ElementFields", "Energy", "Hardening", "Impact", "IronHead", "LawFunction",
-    "Material", "Maxwell", "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead", "SolidHead", "ball",
-    "ball_names", "head", "head_names", "laws", "reference", "register_law", "sensitivity", "strike", "throw",
-    "variables",
+    "Ball", "Bond", "Derivatives", "DriverHead", "ElementFields", "Energy", "Hardening", "Impact", "IronHead",
+    "LawFunction", "Material", "Maxwell", "MeshHead", "MeshedHead", "Metal", "Piece", "Settings", "ShellHead",
+    "SolidHead", "SolidPart", "ball", "ball_names", "head", "head_names", "laws", "reference", "register_law",
+    "sensitivity", "strike", "throw", "variables",
 ]  # fmt: skip
 
 _MODULES = (
