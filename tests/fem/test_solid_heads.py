@@ -1,5 +1,6 @@
 """Solid heads of one's own mesh: tetrahedra and hexahedra from files, bonds, and what is refused."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -7,10 +8,10 @@ import pytest
 
 from clubface import fem
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.fem.geometry import tetrahedron_volumes
+from clubface.fem.geometry import area_vectors, tetrahedron_volumes
 from clubface.fem.heads import Bond, Group, MeshHead
 from clubface.fem.result import SurfaceRecovery
-from fem_runs import coarse
+from fem_runs import coarse, coarse_head
 from solid_meshes import abaqus_solids, gmsh_solids, lsdyna_solids, nastran_solids, tetrahedra_of
 
 SHAPE = {
@@ -73,6 +74,41 @@ def test_tetrahedra_launch_as_hexahedra_do(tmp_path):
     assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=1e-3)
     assert other.backspin == pytest.approx(one.backspin, rel=5e-3)
     assert other.peak_force == pytest.approx(one.peak_force, rel=5e-3)
+
+
+def thickened(head):
+    """Return the walls of a head of shells as one layer of hexahedra: nodes [m] and elements."""
+    area = area_vectors(head.nodes, head.quads)
+    normals, walls, sizes = np.zeros((len(head.nodes), 3)), np.zeros(len(head.nodes)), np.zeros(len(head.nodes))
+    each = np.linalg.norm(area, axis=1)
+    np.add.at(normals, head.quads, area[:, None])
+    np.add.at(walls, head.quads, (head.thickness * each)[:, None])
+    np.add.at(sizes, head.quads, each[:, None])
+    half = 0.5 * (walls / sizes)[:, None] * normals / np.linalg.norm(normals, axis=1)[:, None]
+    quads = head.quads.astype(int)
+    return np.concatenate([head.nodes - half, head.nodes + half]), np.concatenate([quads, quads + len(half)], axis=1)
+
+
+def test_a_wood_of_one_layer_of_tetrahedra_launches_as_one_of_shells(tmp_path):
+    # Walls of 2 to 3 mm as shells of 8 mm and as tetrahedra between the same lines.
+    shells = coarse_head()
+    shells = replace(shells, added=np.zeros(len(shells.nodes)))
+    nodes, hexahedra = thickened(shells)
+    part_of = shells.part_of_elements()
+    groups = {part.name: tetrahedra_of(hexahedra[part_of == place]).tolist() for place, part in enumerate(shells.parts)}
+    metal = {key: getattr(shells.parts[0].metal, key) for key in ("youngs", "poisson", "density")}
+    solid = MeshHead(
+        name="wood", file=gmsh_solids(tmp_path / "wood.msh", nodes * 1e3, groups), loft=shells.loft,
+        groups=tuple(Group(name=part.name, metal=metal, face=part.face) for part in shells.parts),
+        bulge=shells.bulge, roll=shells.roll,
+    ).mesh()  # fmt: skip
+    # At folds of the middle surface the two fill space differently.
+    assert solid.club.mass == pytest.approx(shells.club.mass, rel=0.01)
+    how = {"speed": "40 m/s", "loft": shells.loft}
+    one, other = launch(shells, **how), launch(solid, **how)
+    assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=4e-3)
+    assert other.backspin == pytest.approx(one.backspin, rel=0.01)
+    assert other.peak_force == pytest.approx(one.peak_force, rel=0.03)
 
 
 def insert(made, kind):
