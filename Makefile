@@ -58,9 +58,11 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
 	@touch $@
 
-wheel: $(VENV)/.setup ## a wheel for other machines, optimised as a whole
+wheel: studio-build ## a wheel for other machines, optimised as a whole, with the built studio in it
 	scripts/fmi-library.sh dist
-	$(BIN)/maturin build --profile dist
+	@rm -rf python/clubface/studio_site && cp -R studio/dist python/clubface/studio_site
+	@# Taken away again: a checkout serves what it has built last.
+	$(BIN)/maturin build --profile dist; status=$$?; rm -rf python/clubface/studio_site; exit $$status
 
 wheel-check: wheel ## the wheel in fresh environments outside the checkout: alone, as users install it, with every extra
 	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.whl | head -n 1)"

@@ -6,6 +6,7 @@ every extra by itself, and runs in each what that installation is for. The last 
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,8 @@ import tomllib
 import venv
 import zipfile
 from pathlib import Path
+from urllib.parse import urljoin
+from urllib.request import urlopen
 
 ROOT = Path(__file__).parent.parent
 LARGEST = 15e6
@@ -28,13 +31,14 @@ TRIED = {
     "capture": "from clubface import capture; import ezc3d",
     "fit": "import clubface, pymoo; clubface.history('driver', speed=45.0, model='volumetric')",
     "cluster": "from clubface import studies; import distributed",
-    "studio": "import clubface.studio.app",
     "jax": "import jax, clubface.jax; jax.grad(lambda v: clubface.jax.impact('driver', speed=v)['ball_speed'])(45.0)",
     "chain": "import clubface.chain",
 }
 """What an installation with each extra is asked for, a shot unless it stands here."""
-LEFT_OUT = {"all", "cli", "dev", "torch"}
-"""Extras that bring nothing of their own, and PyTorch with its gigabytes."""
+LEFT_OUT = {"all", "cli", "dev", "studio", "torch"}
+"""Extras that bring nothing of their own or have a check of their own, and PyTorch with its gigabytes."""
+PARTS = ("_core", "export/native/", "py.typed", "studio_site/index.html", "studio_site/assets/clubface-fem")
+"""What a wheel has besides Python."""
 
 
 class Environment:
@@ -68,7 +72,7 @@ def check_contents(wheel: Path) -> str:
     """Check size and files of a wheel."""
     size = wheel.stat().st_size
     names = zipfile.ZipFile(wheel).namelist()
-    missing = [part for part in ("_core", "export/native/", "py.typed") if not any(part in name for name in names)]
+    missing = [part for part in PARTS if not any(part in name for name in names)]
     if size > LARGEST or missing:
         raise RuntimeError(f"{size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} allowed; missing: {missing or 'nothing'}")
     return f"{size / 1e6:.1f} MB, {len(names)} files"
@@ -105,6 +109,28 @@ def check_command(wheel: Path, folder: Path) -> str:
     return f"installed and first shot in {first:.0f} s"
 
 
+def check_studio(wheel: Path, folder: Path) -> str:
+    """Install the studio, write a report of a shot and open the studio's page; return the time it took."""
+    began = time.monotonic()
+    environment = Environment(folder)
+    environment.install(f"{wheel}[studio]")
+    environment.run("clubface", "shot", "driver", "--speed", "105 mph", "--report", "shot.html")
+    command = [environment.bin / "clubface", "studio", "--port", "0"]
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        try:
+            assert server.stdout is not None
+            address = server.stdout.readline().strip()
+            page = urlopen(address, timeout=30).read().decode()
+            scripts = re.findall(r'src="(?:\./)?(assets/[^"]+\.js)"', page)
+            if "clubface-api" not in page or not scripts:
+                raise RuntimeError(f"this page is not the studio's: {page[:300]}")
+            for script in scripts:
+                urlopen(urljoin(address, script), timeout=30).read()
+        finally:
+            server.terminate()
+    return f"installed, report and studio in {time.monotonic() - began:.0f} s"
+
+
 def check_extra(wheel: Path, extra: str, folder: Path) -> str:
     """Install one extra alone and use it."""
     environment = Environment(folder)
@@ -120,6 +146,7 @@ def main(wheel: Path) -> int:
         "symbols": lambda folder: check_symbols(wheel, folder),
         "NumPy alone": lambda folder: check_alone(wheel, folder),
         "command": lambda folder: check_command(wheel, folder),
+        "studio": lambda folder: check_studio(wheel, folder),
         **{f"extra {name}": lambda folder, name=name: check_extra(wheel, name, folder) for name in extras()},
     }
     failed = 0
