@@ -78,10 +78,10 @@ impl<R: Number> OwnLaw<R> {
         let strains = [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)];
         let modulus = |mode: usize| {
             let at = strains.map(|(steps, _)| shape(mode, steps * STRAIN));
-            let found = self.results(&at.map(|[c, _]| c));
+            let points = self.results(&at.map(|[c, _]| c));
             let mut sum = R::zero();
             for (point, (_, weight)) in strains.into_iter().enumerate() {
-                sum += power(&found, point, &at[point][1]) * (weight / (4.0 * 12.0 * STRAIN));
+                sum += power(&points, point, &at[point][1]) * (weight / (4.0 * 12.0 * STRAIN));
             }
             sum
         };
@@ -151,12 +151,11 @@ impl<R: Number> OwnLaw<R> {
     fn check_turned(&self, shear: f64) -> Result<(), String> {
         for mode in 0..6 {
             let [shape, slope] = shape(mode, STRAINED);
-            let found = self.results(&[shape, turned(&shape)]);
-            let of_energy = [0, 1].map(|point| found.results[ENERGY * found.count + point].re());
-            let of_stress = [power(&found, 0, &slope).re(), power(&found, 1, &turned(&slope)).re()];
+            let points = self.results(&[shape, turned(&shape)]);
+            let of_energy = [0, 1].map(|point| points.results[ENERGY * points.count + point].re());
+            let of_stress = [power(&points, 0, &slope).re(), power(&points, 1, &turned(&slope)).re()];
             for [one, other] in [of_energy, of_stress] {
-                // No number is no small difference.
-                if !((one - other).abs() <= ROUNDING * shear) {
+                if !agree(one, other, ROUNDING * shear) {
                     return Err(format!(
                         "with {other:.6e} where the axes are turned, and {one:.6e} where they are not"
                     ));
@@ -176,11 +175,10 @@ impl<R: Number> OwnLaw<R> {
         for mode in 0..6 {
             let at = [-step, 0.0, step].map(|more| shape(mode, STRAINED + more).map(|each| turned(&each)));
             let [shapes, slopes] = [0, 1].map(|which| at.map(|each| each[which]));
-            let found = self.results(&shapes);
-            let energy = |point: usize| found.results[ENERGY * found.count + point].re();
-            let (slope, power) = ((energy(2) - energy(0)) / (2.0 * step), power(&found, 1, &slopes[1]).re());
-            // No number is no small difference.
-            if !((slope - power).abs() <= SLOPE * shear) {
+            let points = self.results(&shapes);
+            let energy = |point: usize| points.results[ENERGY * points.count + point].re();
+            let (slope, power) = ((energy(2) - energy(0)) / (2.0 * step), power(&points, 1, &slopes[1]).re());
+            if !agree(slope, power, SLOPE * shear) {
                 let share = power / slope;
                 return Err(format!("with a stress that does {share:.6} of the work that its energy gains"));
             }
@@ -189,15 +187,20 @@ impl<R: Number> OwnLaw<R> {
     }
 }
 
+/// Whether two numbers are as near to each other as that; what is no number is near to none.
+fn agree(one: f64, other: f64, within: f64) -> bool {
+    (one - other).abs() <= within
+}
+
 /// Changes of shape of 10% in all directions.
 const STRAINED: f64 = 0.1;
 
 /// Work of the stress at a point on a change of `C̄`, per unit of what changes it: `S : dC̄ / 2`.
-fn power<R: Number>(found: &Points<R>, point: usize, slope: &Symmetric<f64>) -> R {
+fn power<R: Number>(points: &Points<R>, point: usize, slope: &Symmetric<f64>) -> R {
     let mut sum = R::zero();
     for (row, (i, j)) in AXES.into_iter().enumerate() {
         let weight = if i == j { 0.5 } else { 1.0 };
-        sum += found.results[row * found.count + point] * (weight * slope.0[row]);
+        sum += points.results[row * points.count + point] * (weight * slope.0[row]);
     }
     sum
 }
