@@ -34,7 +34,7 @@ LEFT_OUT = {"all", "cli", "dev", "torch"}
 """Extras that bring nothing of their own, and PyTorch with its gigabytes."""
 TOOLS = ("docutils", "httpx2", "hypothesis", "ipykernel", "nbclient", "nbformat", "pytest", "pytest-xdist")
 """What the tests need besides, in the versions of constraints-dev.txt."""
-FREE_TOOLS = ("casadi", "fmpy")
+FREE_TOOLS = ("casadi", "fmpy", "httpx")
 """The same, in versions that agree with the dependencies: their newest ask for a newer NumPy than the package."""
 RESOLUTIONS = {"oldest": "lowest-direct", "newest": "highest", "beyond": "highest"}
 UPPER = re.compile(r",?<[\d.]+")

@@ -233,6 +233,7 @@ def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) 
 
 def _parse_element(value: Any, dimension: str, name: str) -> float:
     """Convert one value of many; infinity passes, since its row is reported with the batch."""
+    value = _plain(value)
     return float(value) if isinstance(value, float) else parse(value, dimension, name=name)
 
 
@@ -250,9 +251,14 @@ def numbers(values: Any, *, name: str) -> NDArray[Any]:
     return np.asarray(parse_values(values, DIMENSIONLESS, name=name))
 
 
+def _plain(value: Any) -> Any:
+    """Return the value of a scalar of Arrow, which is no number of Python before pyarrow 21, and any other as it is."""
+    return value.as_py() if hasattr(value, "as_py") else value
+
+
 def is_missing(value: Any) -> bool:
     """Tell a value that stands for none: None, the NA and NaT of pandas, a null of Arrow, NaN."""
-    value = value.as_py() if hasattr(value, "as_py") else value
+    value = _plain(value)
     if value is None or type(value).__name__ in ("NAType", "NaTType"):
         return True
     return isinstance(value, float) and math.isnan(value)

@@ -6,19 +6,28 @@ use clubface_impact::series::Series;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
 /// A number, or one number a row.
-#[derive(FromPyObject)]
 pub enum Values<'py> {
     /// The same for all rows.
-    #[pyo3(transparent)]
     Constant(f64),
     /// One a row.
-    #[pyo3(transparent)]
     Rows(PyReadonlyArray1<'py, f64>),
+}
+
+// Not derived: an array of one is rows, though NumPy before 2.4 takes it for a number, with a warning.
+impl<'py> FromPyObject<'_, 'py> for Values<'py> {
+    type Error = PyErr;
+
+    fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if !value.is_instance_of::<PyFloat>() && value.cast::<PyArray1<f64>>().is_ok() {
+            return Ok(Values::Rows(value.extract()?));
+        }
+        Ok(Values::Constant(value.extract()?))
+    }
 }
 
 /// Columns as the core takes them.
