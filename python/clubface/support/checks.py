@@ -73,8 +73,10 @@ MOST_SEED = 2**63 - 1
 
 def whole(value: object) -> int | None:
     """Return a whole number of any type, NumPy's among them, as an ``int``; of anything else, ``True`` too, None."""
+    if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":  # NumPy 2.0 takes np.True_
+        return None
     try:
-        return None if isinstance(value, bool) else index(value)  # pyright: ignore[reportArgumentType]
+        return index(value)  # pyright: ignore[reportArgumentType]
     except TypeError:
         return None
 
