@@ -393,7 +393,7 @@ def solid_meshes() -> None:
             warnings.simplefilter("ignore", MeshWarning)
             file = Path(folder) / "head.inp"
             file.write_text("\n".join([*lines, ""]))
-            return MeshHead(name="iron", file=file, unit="m", loft="30 deg", groups=parts, bonds=bonds).mesh()
+            return MeshHead(name="iron", file=file, unit="m", loft=math.radians(30.0), groups=parts, bonds=bonds).mesh()
 
     for elements in ((20, 12, 2), (40, 24, 4)):
         made = fem.IronHead(name="iron", shape=OWN_IRON, elements=elements).mesh()

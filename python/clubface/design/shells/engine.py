@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design.shells.families import FaceWall, Head, face_parts
+from clubface.design.shells.families import FaceWall, Head, face_parts, mesh_shells
 from clubface.design.shells.study import ShellStudy
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import RunError
@@ -92,7 +92,7 @@ class Engine:
         tasks: list[Task] = [("time", 0), *(("shot", place) for place in range(len(study.delivery.points)))]
         if study.hardest is not None:
             tasks += [("blow", place) for place in range(len(study.hardest.points))]
-        heads = [design.mesh() for design in designs]
+        heads = [mesh_shells(design) for design in designs]
         names = [fingerprint(design) for design in designs]
         points = [(number, task) for number in range(len(heads)) for task in tasks]
         self.runs += len(points)

@@ -34,6 +34,14 @@ usual one."""
 Head = DriverHead | MeshHead
 
 
+def mesh_shells(head: Head) -> ShellHead:
+    """Return the mesh of a head; refuse one of solid elements."""
+    made = head.mesh()
+    if not isinstance(made, ShellHead):
+        raise InputError("head", head.name, "a head of shells: the walls of a mesh of solids cannot vary")
+    return made
+
+
 class FaceWall(NamedTuple):
     """A wall of the face as a plate: its metal, its mean thickness, and that at the face centre [m]."""
 
@@ -158,9 +166,7 @@ class MeshFamily(Family):
         self._head = head
         self.groups = tuple(group.name for group in head.groups)
         self.variables = {"thickness": ("group", self.groups), "masses": ("mass", tuple(head.masses))}
-        self.start = head.mesh()
-        if not isinstance(self.start, ShellHead):
-            raise InputError("head", head.name, "a head of shells: the walls of a mesh of solids cannot vary")
+        self.start = mesh_shells(head)
         self._group = {part: name for name in self.groups for part in (name, user_mesh.beyond(name))}
         for name in varied:
             table, _, key = name.partition(".")
