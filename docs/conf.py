@@ -38,6 +38,7 @@ extensions = [
     "published_tables",
     "site_parts",
     "validation_tables",
+    "version_tables",
 ]
 exclude_patterns = ["_build"]
 html_theme = "furo"

@@ -15,6 +15,14 @@ def script():
     return load_script("scripts/test_versions.py")
 
 
+def numbers(version):
+    """The numbers of a version without the zeros at its end."""
+    parts = [int(part) for part in version.split(".") if part.isdigit()]
+    while parts and parts[-1] == 0:
+        parts.pop()
+    return parts
+
+
 def all_lines(script, versions):
     return [line for lines in script.requirements(versions).values() for line in lines]
 
@@ -47,6 +55,18 @@ def test_a_run_takes_the_place_of_an_earlier_one_of_the_same_kind(script, monkey
         script.record(each)
     stored = json.loads((tmp_path / "runs.json").read_text())
     assert [(each["python"], each["passed"]) for each in stored] == [("3.11", 2), ("3.13", 1)]
+
+
+def test_every_lower_bound_was_tested_on_the_oldest_python(script):
+    """A bound that changes asks for `make test-oldest PYTHONS=python3.11 RECORD=1`."""
+    oldest = script.PROJECT["requires-python"].removeprefix(">=")
+    runs = json.loads(script.RECORD.read_text(encoding="utf-8"))
+    run = next(each for each in runs if (each["versions"], each["python"]) == ("oldest", oldest))
+    assert run["failed"] == 0
+    assert run["tests"] == "all"
+    for line in all_lines(script, "oldest"):
+        name, bound = re.match(r"([\w-]+)>=([\d.]+)", line).groups()
+        assert numbers(run["packages"][name]) == numbers(bound), line
 
 
 def test_an_interpreter_that_is_not_there_is_named(script):
