@@ -37,6 +37,7 @@ def averages():
 
 @pytest.fixture(scope="module")
 def identified():
+    pytest.importorskip("pymoo")
     # Five free parameters, of which two are not identified alone: a row and a part of one.
     return clubface.identify(
         recorded(20, "area", noise=1.0), club="driver", model="area", population=8, generations=2, refined=1, folds=0,
