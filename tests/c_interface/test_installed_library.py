@@ -129,7 +129,7 @@ def test_errors_name_the_input_and_one_bad_shot_leaves_the_others_alone(programs
     lines = ran(programs / "errors").splitlines()
     results = dict(line.split(": ", 1) for line in lines)
     assert json.loads(results["no such model"])["input"] == "model"
-    assert json.loads(results["tolerance"])["input"] == "accuracy"
+    assert json.loads(results["tolerance"])["input"] == "tolerance"
     [rejected] = json.loads(results["a miss"])
     assert (rejected["row"], rejected["input"]) == (1, "toe")
     assert results["shot 1"] == "none"

