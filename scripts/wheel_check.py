@@ -6,6 +6,7 @@ every extra by itself, and runs in each what that installation is for. The last 
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -16,6 +17,7 @@ import tomllib
 import venv
 import zipfile
 from pathlib import Path
+from typing import Any
 from urllib.parse import urljoin
 from urllib.request import urlopen
 
@@ -39,6 +41,8 @@ LEFT_OUT = {"all", "cli", "dev", "studio", "torch"}
 """Extras that bring nothing of their own or have a check of their own, and PyTorch with its gigabytes."""
 PARTS = ("_core", "export/native/", "py.typed", "studio_site/index.html", "studio_site/assets/clubface-fem")
 """What a wheel has besides Python."""
+VARIABLES = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+"""Those of the environment without what would let another package through."""
 
 
 class Environment:
@@ -52,7 +56,9 @@ class Environment:
     def run(self, *command: str) -> str:
         """Run a command of the environment, in its folder, and return what it printed."""
         program = shutil.which(command[0], path=str(self.bin)) or command[0]
-        done = subprocess.run([program, *command[1:]], cwd=self.folder, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [program, *command[1:]], cwd=self.folder, env=VARIABLES, capture_output=True, text=True, check=False
+        )
         if done.returncode:
             raise RuntimeError(f"{' '.join(command)}: {(done.stderr or done.stdout).strip()[-2000:]}")
         return done.stdout
@@ -116,7 +122,8 @@ def check_studio(wheel: Path, folder: Path) -> str:
     environment.install(f"{wheel}[studio]")
     environment.run("clubface", "shot", "driver", "--speed", "105 mph", "--report", "shot.html")
     command = [environment.bin / "clubface", "studio", "--port", "0"]
-    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+    how: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "text": True}
+    with subprocess.Popen(command, cwd=folder, env=VARIABLES, **how) as server:
         try:
             assert server.stdout is not None
             address = server.stdout.readline().strip()
