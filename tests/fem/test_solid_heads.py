@@ -159,6 +159,19 @@ def test_parts_have_metals_of_their_own(tmp_path):
     assert all(part.stress > 1e7 for part in stress.parts)
 
 
+def test_the_outside_of_tetrahedra_is_closed_and_looks_outwards(tmp_path):
+    made = iron(elements=(12, 8, 2))
+    path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
+    head = read(path)
+    sides = head.parts[0].outside()
+    areas = area_vectors(head.nodes, sides)
+    assert areas.sum(axis=0) == pytest.approx(0.0, abs=1e-12)
+    # The divergence theorem, and every triangle counts as much as its three brothers.
+    volume = np.einsum("ij,ij->", areas, head.nodes[sides[:, :3]].mean(axis=1)) / 3.0
+    assert volume == pytest.approx(tetrahedron_volumes(head.nodes, head.tetrahedra).sum(), rel=1e-9)
+    assert np.einsum("ij,ij->i", areas.reshape(-1, 4, 3)[:, 3], areas.reshape(-1, 4, 3)[:, 0]).min() > 0.0
+
+
 def test_stress_that_is_linear_is_exact_at_the_surface_of_tetrahedra(tmp_path):
     made = iron(elements=(12, 8, 1))
     path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
@@ -250,6 +263,11 @@ def test_a_solid_head_is_a_file_like_any_other(tmp_path):
     )
     head = fem.head(file)
     assert head.club.mass == pytest.approx(made.club.mass + 0.04, rel=2e-3)
+    # Masses at places leave mass and CG exact.
+    bare = read(tmp_path / "head.msh").club
+    place = np.array([-4e-3, 5e-3, -30e-3])
+    cg = (bare.mass * -np.array(bare.cg) + 0.04 * place) / (bare.mass + 0.04)
+    assert -np.array(head.club.cg) == pytest.approx(cg, abs=1e-10)
     settings = fem.Settings(duration=60e-6, frames=2, fields=True)
     run = fem.strike(head, speed="30 m/s", loft="30 deg", ball=coarse(), settings=settings)
     written = fem.files.write_series(run, tmp_path, "solid")
