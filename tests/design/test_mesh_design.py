@@ -296,7 +296,7 @@ def test_thickness_that_cards_fix_for_each_element_may_not_vary(tmp_path):
     groups = (Group(name="face", face=True), *own_head(tmp_path).groups[1:])
     with pytest.raises(InputError, match=r"thickness.face is fixed element by element; give the group .* 2\.001 mm to"):
         study(own_head(tmp_path, file=file, groups=groups))
-    # Others may vary beside it.
+    # Others may still vary.
     study(own_head(tmp_path, file=file, groups=groups), bounds={"thickness.crown": (0.7e-3, 1.6e-3)})
 
 

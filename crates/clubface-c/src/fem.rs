@@ -32,7 +32,7 @@ pub type ClubfaceLaw = Option<
     ),
 >;
 
-/// What is told of a law.
+/// Constants and state variables of a law.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LawDescription {
@@ -56,12 +56,12 @@ pub unsafe extern "C" fn clubface_fem_law(
 ) -> *mut ClubfaceResult {
     compute(|| {
         // SAFETY: the caller's promise.
-        let (name, told) =
+        let (name, law) =
             unsafe { (text_from(name, "name")?, described::<LawDescription>(description, "description")?) };
         let function = function.ok_or_else(|| Failure::input("function", "null; a function is needed"))?;
         // SAFETY: the caller's promise.
-        let function = unsafe { OwnFunction::new(name, told.constants, told.states, function) }?;
-        Computed::from_json(&json!({"shear": register_law(function, &told.values)?}))
+        let function = unsafe { OwnFunction::new(name, law.constants, law.states, function) }?;
+        Computed::from_json(&json!({"shear": register_law(function, &law.values)?}))
     })
 }
 

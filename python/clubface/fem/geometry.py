@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "EDGES", "HEXAHEDRON_SIDES", "TETRAHEDRON_SIDES", "area_vectors", "element_masses", "outer_sides",
-    "outer_triangles", "sums_at_nodes", "tetrahedron_volumes", "triangles",
+    "EDGES", "HEXAHEDRON_SIDES", "TETRAHEDRON_SIDES", "area_vectors", "element_masses", "hexahedron_volumes",
+    "outer_sides", "outer_triangles", "sums_at_nodes", "tetrahedron_volumes", "triangles", "unshared_sides",
 ]  # fmt: skip
 
 HEXAHEDRON_SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
@@ -32,11 +32,16 @@ def area_vectors(nodes: NDArray[Any], quads: NDArray[Any]) -> NDArray[Any]:
 
 def element_masses(nodes: NDArray[Any], elements: NDArray[Any], density: Any) -> NDArray[Any]:
     """Return the mass of each hexahedron, taken as a parallelepiped [kg]."""
+    return abs(hexahedron_volumes(nodes, elements)) * density
+
+
+def hexahedron_volumes(nodes: NDArray[Any], elements: NDArray[Any]) -> NDArray[Any]:
+    """Return the volumes of hexahedra, taken as parallelepipeds [m3]; negative ones are inside out."""
     corner = nodes[elements]
     edges = [corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
              corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1),
              corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1)]  # fmt: skip
-    return abs(np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])) * density
+    return np.einsum("ij,ij->i", np.cross(edges[0], edges[1]), edges[2])
 
 
 def sums_at_nodes(elements: NDArray[Any], values: NDArray[Any], count: int) -> NDArray[Any]:
@@ -45,23 +50,23 @@ def sums_at_nodes(elements: NDArray[Any], values: NDArray[Any], count: int) -> N
 
 
 def tetrahedron_volumes(nodes: NDArray[Any], corners: NDArray[Any]) -> NDArray[Any]:
-    """Return the volumes of tetrahedra by their corners; negative ones are inside out."""
+    """Return the volumes of tetrahedra by their corners [m3]; negative ones are inside out."""
     a, b, c, d = (nodes[corners[:, corner]] for corner in range(4))
     return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
 
 
 def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
     """Return the sides of hexahedra that belong to no second one, in their own order of corners, shape (m, 4)."""
-    return _once(hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4), 4)
+    return unshared_sides(hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4), 4)
 
 
 def outer_triangles(tetrahedra: NDArray[Any]) -> NDArray[Any]:
     """Return the sides of ten-node tetrahedra that belong to no second one as four triangles each, shape (m, 3)."""
-    return _once(tetrahedra[:, TETRAHEDRON_SIDES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
+    return unshared_sides(tetrahedra[:, TETRAHEDRON_SIDES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
 
 
-def _once(sides: NDArray[Any], corners: int) -> NDArray[Any]:
-    """Return the sides whose first so many nodes are those of no other one."""
+def unshared_sides(sides: NDArray[Any], corners: int) -> NDArray[Any]:
+    """Return the sides of elements whose corners, their first nodes, no other side has."""
     ordered = np.sort(sides[:, :corners], axis=1)
     _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
     return sides[np.sort(first[count == 1])]

@@ -18,7 +18,9 @@ from clubface.fem.geometry import (
     EDGES,
     HEXAHEDRON_SIDES,
     TETRAHEDRON_SIDES,
+    area_vectors,
     element_masses,
+    hexahedron_volumes,
     sums_at_nodes,
     tetrahedron_volumes,
 )  # fmt: skip
@@ -159,21 +161,15 @@ def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray
     volumes = tetrahedron_volumes(mesh.points, tetrahedra)
     inside = volumes < 0.0
     tetrahedra[inside] = tetrahedra[inside][:, [0, 2, 1, 3]]
-    corner = mesh.points[hexahedra]
-    size = np.einsum(
-        "ij,ij->i",
-        np.cross(corner[:, [1, 2, 5, 6]].mean(axis=1) - corner[:, [0, 3, 4, 7]].mean(axis=1),
-                 corner[:, [2, 3, 6, 7]].mean(axis=1) - corner[:, [0, 1, 4, 5]].mean(axis=1)),
-        corner[:, 4:].mean(axis=1) - corner[:, :4].mean(axis=1),
-    )  # fmt: skip
+    size = hexahedron_volumes(mesh.points, hexahedra)
     hexahedra[size < 0.0] = hexahedra[size < 0.0][:, TOP_FIRST]
     turned = int(inside.sum()) + int((size < 0.0).sum())
     if turned:
         notes.append(f"{turned} elements list their nodes the other way round, which is turned")
     for value, ids in ((volumes, tetrahedron_ids), (size, hexahedron_ids)):
-        flat = np.abs(value) <= 1e-9 * np.median(np.abs(value)) if len(value) else value > 0.0
-        if flat.any():
-            raise FileError(mesh.path, None, f"element {ids[int(np.argmax(flat))]} is flat: it has no volume")
+        if len(value) and np.abs(value).min() <= 1e-9 * np.median(np.abs(value)):
+            flattest = ids[int(np.abs(value).argmin())]
+            raise FileError(mesh.path, None, f"element {flattest} is flat: it has no volume")
 
 
 def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], notes: list[str]) -> None:
@@ -234,8 +230,7 @@ def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any],
     cosine
         Least cosine of the angle between a side's normal and that one.
     """
-    a, b, c, d = (nodes[sides[:, corner]] for corner in range(4))
-    area = np.cross(c - a, d - b)
+    area = area_vectors(nodes, sides)
     facing = sides[area @ normal >= cosine * np.linalg.norm(area, axis=1)]
     if not len(facing):
         return facing

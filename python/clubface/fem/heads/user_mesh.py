@@ -17,7 +17,7 @@ from clubface import units
 from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning, UnknownNameError
 from clubface.fem.balls import ELEMENTS
-from clubface.fem.geometry import area_vectors, sums_at_nodes
+from clubface.fem.geometry import area_vectors, sums_at_nodes, unshared_sides
 from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
 from clubface.fem.heads.mesh_frame import check_frame
 from clubface.fem.heads.mesh_groups import (
@@ -186,9 +186,7 @@ class MeshHead:
             [part.outside() for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
         )
         # Between two parts of the face there is no outside.
-        ordered = np.sort(sides, axis=1)
-        _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
-        face = facing_sides(nodes, sides[first[count == 1]], normal, FACE_COSINE)
+        face = facing_sides(nodes, unshared_sides(sides, 4), normal, FACE_COSINE)
         if not len(face):
             allowed = "a group whose outside faces the ball, within 45 deg of the normal of the loft"
             raise InputError("face", ", ".join(group.name for group in self.groups if group.face), allowed)

@@ -71,7 +71,7 @@ class Elements:
 
 @dataclass(kw_only=True)
 class Mesh:
-    """The elements of a mesh file: those of surfaces, and solid ones beside them.
+    """The elements of a mesh file: surfaces and solids.
 
     Attributes
     ----------
