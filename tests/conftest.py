@@ -51,7 +51,7 @@ def clubface_(capsys, monkeypatch):
 @pytest.fixture
 def new_process(monkeypatch):
     """Warnings that are given once in a process are given again."""
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
 
 
 @pytest.fixture

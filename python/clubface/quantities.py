@@ -136,9 +136,9 @@ def register_quantity(name: str, unit: str = "1", **fields: Any) -> Quantity:
     golf = fields.pop("golf", None) or metric
     label = fields.pop("label", name.replace("_", " "))
     new = Quantity(name, unit, Reading(metric[0], metric[1]), Reading(golf[0], golf[1]), label, **fields)
-    if (known := quantities().get(name, new)) != new:
+    known = _core_quantities().get(name) or _OWN.setdefault(name, new)
+    if known != new:
         raise ValueError(f"the quantity {name!r} is registered as {known}, not as {new}")
-    _OWN[name] = new
     return new
 
 

@@ -122,7 +122,7 @@ def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):
 
 def test_a_backspin_and_its_axis_are_sent_as_the_whole_vector(clubface_, tmp_path, monkeypatch):
     """2650 rpm at 40 degrees are 3459 rpm in all, 2224 rpm to the right."""
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
     (tmp_path / "shots.csv").write_text(
         "club,ball_speed_mph,launch_deg,azimuth_deg,backspin_rpm,spin_axis_deg\ndriver,143.1,13.4,1.9,2650,40\n"
         "driver,143.1,13.4,1.9,2650,\ndriver,143.1,13.4,1.9,,40\ndriver,143.1,13.4,1.9,2650,0\n"

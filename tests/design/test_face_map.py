@@ -356,11 +356,11 @@ def test_an_area_is_of_a_share(driver, share):
 
 def test_points_are_struck_and_remarked_on_alike_however_many_are_in_memory(monkeypatch):
     struck = {"model": "volumetric", "grid": (11, 9)}
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
     with pytest.warns(RangeWarning) as at_once:
         whole = clubface.map_face("driver", speed=40.0, **struck)
     monkeypatch.setattr("clubface.design.face_surface.CHUNK", 10)
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
     done = []
     with pytest.warns(RangeWarning) as in_parts:
         parts = clubface.map_face("driver", speed=40.0, progress=lambda some, _: done.append(some), **struck)

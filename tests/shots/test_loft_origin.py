@@ -104,7 +104,7 @@ def test_shots_without_loft_or_launch_or_in_a_handful_have_no_origin():
 
 @pytest.mark.filterwarnings("error")
 def test_monitor_read_says_once_that_lofts_were_computed_and_warns_of_no_ball(tmp_path, clubface_, monkeypatch):
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
     monkeypatch.setattr(loft_origin, "_ball", loft_origin._ball.__wrapped__)
     path = str(tmp_path / "radar.csv")
     session("7-iron", 12, ratio=1.137, step=0.1).write(path)

@@ -70,7 +70,7 @@ def test_a_launch_without_its_unit_is_refused():
 
 
 def test_a_speed_outside_the_range_of_the_parameters_is_said_once_and_not_of_every_try(monkeypatch):
-    monkeypatch.setattr("clubface.support.checks._given", set())
+    monkeypatch.setattr("clubface.support.checks._given", {})
     with pytest.warns(RangeWarning) as caught:
         clubface.impact_at_launch("driver", speed=20.0, launch="12 deg", model="slip")
     assert len(caught) == 1

@@ -11,7 +11,7 @@ from clubface.support.renamed import GONE_WITH, renamed_arguments
 
 @pytest.fixture(autouse=True)
 def forget_warnings(monkeypatch):
-    monkeypatch.setattr(checks, "_given", set())
+    monkeypatch.setattr(checks, "_given", {})
 
 
 @renamed_arguments(which="ball")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from collections.abc import Mapping
 from ctypes import POINTER, c_double, c_size_t
 from typing import Any
@@ -28,6 +29,8 @@ LawFunction = ctypes.CFUNCTYPE(
 
 _functions: list[Any] = []
 """Kept alive, since materials call them."""
+_registering = threading.RLock()
+"""The core and the package know a law by the same registration, whichever thread came last."""
 
 
 def register_law(
@@ -91,12 +94,14 @@ def register_law(
             raise InputError("name of a constant", key, "a word that is no other key of a piece of a ball")
         dimensions[key] = units.dimension_of(given, name=key)
         values.append(units.parse(given, dimensions[key], name=key))
-    try:
-        core.fem_register_law(name, address, list(dimensions), values, states)
-    except ValueError as error:
-        label, value, allowed = error.args
-        label = label.removesuffix(f" of {name}").replace("law", "function")
-        raise InputError(label, Wording(value), allowed.removeprefix("it must be ")) from None
-    _functions.append(function)
-    REGISTERED[name] = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own", states)
-    return REGISTERED[name]
+    law = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own", states)
+    with _registering:
+        try:
+            core.fem_register_law(name, address, list(dimensions), values, states)
+        except ValueError as error:
+            label, value, allowed = error.args
+            label = label.removesuffix(f" of {name}").replace("law", "function")
+            raise InputError(label, Wording(value), allowed.removeprefix("it must be ")) from None
+        _functions.append(function)
+        REGISTERED[name] = law
+    return law

@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 import math
 import threading
-import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
@@ -19,7 +18,7 @@ from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain, plain_name
 from clubface.shots.tables.reader import open_table
 from clubface.studies.axes import FORMS, INTERVAL, MOST, SweepAxis, Swept, whole_flaw
-from clubface.support.checks import is_count
+from clubface.support.checks import is_count, without_foreign_warnings
 
 GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "table")
 """Every combination of values, two ways to fill the space between ends, and the rows of a file."""
@@ -99,8 +98,7 @@ class Samples:
 
     def _sobol(self, tasks: range) -> NDArray[Any]:
         made = self._sequence(tasks.start)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # that a chunk is not balanced: the whole is what counts
+        with without_foreign_warnings(UserWarning):  # that a chunk is not balanced: the whole is what counts
             return made.random(len(tasks))
 
     def _sequence(self, start: int) -> Any:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import sys
+import threading
 import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -127,7 +128,9 @@ def plain(value: Any) -> Any:
     return value
 
 
-_given: set[str] = set()
+_given: dict[str, object] = {}
+"""What was warned of, by the call that did it."""
+_filters = threading.RLock()
 _silent: ContextVar[tuple[type[Warning], ...]] = ContextVar("_silent", default=())
 
 
@@ -141,6 +144,18 @@ def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
         _silent.reset(token)
 
 
+@contextmanager
+def without_foreign_warnings(category: type[Warning] = Warning) -> Iterator[None]:
+    """Work without warnings of other packages, one thread at a time.
+
+    Python's filters belong to the whole process: of two blocks that overlap, the second would leave those of the first
+    behind for good.
+    """
+    with _filters, warnings.catch_warnings():
+        warnings.simplefilter("ignore", category)
+        yield
+
+
 def is_silent(category: type[Warning]) -> bool:
     """Return whether warnings of a category are kept back."""
     return issubclass(category, _silent.get())
@@ -148,9 +163,8 @@ def is_silent(category: type[Warning]) -> bool:
 
 def warn_once(message: str, category: type[Warning], *, key: str | None = None) -> None:
     """Warn, but say the same thing, or what has the same ``key``, only once in a process."""
-    key = message if key is None else key
-    if key not in _given and not is_silent(category):
-        _given.add(key)
+    call = object()
+    if not is_silent(category) and _given.setdefault(message if key is None else key, call) is call:
         warnings.warn(message, category, stacklevel=_level_of_the_caller())
 
 

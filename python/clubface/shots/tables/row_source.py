@@ -12,7 +12,6 @@ import datetime
 import io
 import re
 import tempfile
-import warnings
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
@@ -25,6 +24,7 @@ from clubface.results.notes import Note, note
 from clubface.shots.tables.chunk import Reject
 from clubface.shots.tables.file_kind import START, is_workbook, refuse_no_table
 from clubface.shots.tables.writer import csv_lines
+from clubface.support.checks import without_foreign_warnings
 from clubface.support.files import open_input
 
 __all__ = ["DECIMAL_ROWS", "Row", "RowSource", "open_rows"]
@@ -336,8 +336,7 @@ class WorkbookRows:
             if sum(sizes.values()) > LARGEST or max(parts) > LARGEST_PART:
                 message = f"this workbook has {sum(sizes.values()) // 1_000_000} MB unpacked; save the sheet as CSV"
                 raise FileError(self.path, None, message)
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of styles and extensions that openpyxl passes over
+            with without_foreign_warnings():  # of styles and extensions that openpyxl passes over
                 self._book: Any = load_workbook(self._file, read_only=True, data_only=True)
         except Exception as error:  # openpyxl raises what its XML and ZIP raise
             self._file.close()
