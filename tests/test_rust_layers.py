@@ -1,6 +1,8 @@
 """The files of every Rust crate use each other without circles, and only what stands below them."""
 
 import re
+import shutil
+import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -191,3 +193,38 @@ def test_planted_circles_and_upward_arrows_are_found(tmp_path, text, result, up)
     assert set(circle(arrows)) <= result
     assert bool(circle(arrows)) == bool(result)
     assert upward(arrows, folders(("low", "high"))) == ([(("low", "b"), ("high",))] if up else [])
+
+
+SELECTIONS = {
+    "the package": ("--package", "clubface-python", "--edges", "normal"),
+    "the FMU": ("--package", "clubface-fmi", "--edges", "normal"),
+    "the tests": ("--workspace", "--exclude", "clubface-python", "--edges", "normal,dev"),
+}
+"""What `make build` and `make test` compile."""
+
+
+def features(selection: tuple[str, ...]) -> set[tuple[str, str]]:
+    """Return clubface-impact and all that it uses, each with its features, when cargo compiles a selection."""
+    shape = ("--prefix", "depth", "--no-dedupe", "--format", " {p}|{f}")
+    command = ["cargo", "tree", "--offline", "--locked", *selection, *shape]
+    lines = subprocess.run(command, cwd=CRATES, capture_output=True, text=True, check=True).stdout.splitlines()
+    result, inside = set(), None
+    for line in lines:
+        if match := re.match(r"(\d+) (\S+) v[^|]*\|(.*)", line):
+            depth, name, chosen = int(match[1]), match[2], match[3].split(" ")[0]
+            if inside is not None and depth <= inside:
+                inside = None
+            if name == "clubface-impact" and depth:
+                inside = depth
+            if inside is not None:
+                result.add((name, chosen))
+    return result
+
+
+@pytest.mark.skipif(shutil.which("cargo") is None, reason="cargo is not installed")
+def test_the_core_is_compiled_once_for_package_fmu_and_tests() -> None:
+    """Cargo compiles a crate anew where any crate below it has other features: here minutes, twice."""
+    package, fmu, tests = (features(each) for each in SELECTIONS.values())
+    assert {"serde", "syn", "rayon"} <= {name for name, _ in package}
+    assert package == fmu
+    assert package - tests == set()
