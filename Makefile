@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist sdist-check demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -58,17 +58,23 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@$(PYTHON) scripts/requirements.py dev | $(PYTHON) -m pip install --quiet -r /dev/stdin
 	@touch $@
 
-wheel: studio-build ## a wheel for other machines, optimised as a whole, with the built studio in it
+INTERPRETER ?=
+wheel: studio-build ## a wheel for other machines, optimised as a whole, with the built studio in it (INTERPRETER=python3.14t: for that Python)
 	scripts/fmi-library.sh dist
 	@rm -rf python/clubface/studio_site && cp -R studio/dist python/clubface/studio_site
 	@# Taken away again: a checkout serves what it has built last.
-	$(BIN)/maturin build --profile dist; status=$$?; rm -rf python/clubface/studio_site; exit $$status
+	$(BIN)/maturin build --profile dist $(if $(INTERPRETER),--interpreter $(INTERPRETER)); \
+		status=$$?; rm -rf python/clubface/studio_site; exit $$status
 
 wheel-check: wheel ## the wheel in fresh environments outside the checkout: alone, as users install it, with every extra
-	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.whl | head -n 1)"
+	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.whl | head -n 1)" $(if $(INTERPRETER),--python $(INTERPRETER))
 
-sdist: $(VENV)/.setup ## the sources as a package
-	$(BIN)/maturin sdist --out target/wheels
+sdist: studio-build ## the sources as a package, with the built studio in it
+	@rm -rf python/clubface/studio_site && cp -R studio/dist python/clubface/studio_site
+	$(BIN)/maturin sdist --out target/wheels; status=$$?; rm -rf python/clubface/studio_site; exit $$status
+
+sdist-check: sdist ## the same checks of the wheel that pip makes of it
+	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.tar.gz | head -n 1)" $(if $(INTERPRETER),--python $(INTERPRETER))
 
 PREFIX ?= /usr/local
 libclubface: ## the C library with its header and the files of pkg-config and CMake, in PREFIX=/usr/local

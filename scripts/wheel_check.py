@@ -1,11 +1,15 @@
 """Check a wheel as its users meet it: its size, its symbols, and what it does in fresh environments.
 
 ``python scripts/wheel_check.py WHEEL`` installs it with NumPy alone, then as `pip install clubface` does, then with
-every extra by itself, and runs in each what that installation is for. The last line is "N passed, N failed".
+every extra by itself, and runs in each what that installation is for. In place of a wheel it takes a package of
+sources, of which pip makes a wheel first, with Rust and what pyproject.toml asks for. ``--python PROGRAM`` names the
+interpreter; one without the global lock may leave out extras that have no wheels for it. The last line is
+"N passed, N failed".
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 import shutil
@@ -14,7 +18,6 @@ import sys
 import tempfile
 import time
 import tomllib
-import venv
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -24,6 +27,7 @@ from urllib.request import urlopen
 ROOT = Path(__file__).parent.parent
 LARGEST = 15e6
 """Bytes that a wheel may have."""
+NO_LOCK = "import sys, clubface._core; assert not sys._is_gil_enabled(), 'clubface turned the global lock on'"
 SHOT = "import clubface; print(clubface.fly(clubface.impact('driver', speed='105 mph', loft='13 deg')).carry)"
 TRIED = {
     "excel": "from clubface import read_shots; import openpyxl",
@@ -45,11 +49,20 @@ VARIABLES = {name: value for name, value in os.environ.items() if not name.start
 """Those of the environment without what would let another package through."""
 
 
+class MissingWheelError(Exception):
+    """An extra that needs what has no wheel for the interpreter."""
+
+
 class Environment:
     """A fresh virtual environment outside the checkout."""
 
+    python = sys.executable
+    """The interpreter that makes it."""
+    free_threaded = False
+    """Whether that runs without the global lock."""
+
     def __init__(self, folder: Path) -> None:
-        venv.create(folder, with_pip=True)
+        subprocess.run([self.python, "-m", "venv", str(folder)], env=VARIABLES, check=True)
         self.folder = folder
         self.bin = folder / ("Scripts" if sys.platform == "win32" else "bin")
 
@@ -85,10 +98,10 @@ def check_contents(wheel: Path) -> str:
 
 
 def check_symbols(wheel: Path, folder: Path) -> str:
-    """Check that the wheel keeps to Python's stable interface, and on Linux which systems it runs on."""
+    """Check that a wheel of Python's stable interface keeps to it, and on Linux which systems a wheel runs on."""
     tools = Environment(folder)
     tools.install("abi3audit", *(["auditwheel"] if sys.platform == "linux" else []))
-    result = tools.run("abi3audit", "--strict", str(wheel))
+    result = tools.run("abi3audit", "--strict", str(wheel)) if "-abi3-" in wheel.name else ""
     if sys.platform == "linux":
         result += tools.run("auditwheel", "show", str(wheel))
     return " ".join(result.split())[:300]
@@ -99,6 +112,8 @@ def check_alone(wheel: Path, folder: Path) -> str:
     alone = Environment(folder)
     alone.install("--no-deps", str(wheel))
     alone.install("numpy")
+    if alone.free_threaded:
+        alone.run("python", "-c", NO_LOCK)
     return f"carry {float(alone.run('python', '-c', SHOT)):.1f} m"
 
 
@@ -141,13 +156,36 @@ def check_studio(wheel: Path, folder: Path) -> str:
 def check_extra(wheel: Path, extra: str, folder: Path) -> str:
     """Install one extra alone and use it."""
     environment = Environment(folder)
-    environment.install(f"{wheel}[{extra}]")
+    try:
+        environment.install(f"{wheel}[{extra}]", *(["--only-binary", ":all:"] if environment.free_threaded else []))
+    except RuntimeError as error:
+        missing = re.search(r"No matching distribution found for (\S+)", str(error))
+        if environment.free_threaded and missing:
+            raise MissingWheelError(f"no wheel of {missing[1]} for this Python") from None
+        raise
     environment.run("python", "-W", "ignore", "-c", TRIED.get(extra, SHOT))
     return "installed and used"
 
 
-def main(wheel: Path) -> int:
-    """Run every check, print each result, and return how many failed."""
+def build(sources: Path, folder: Path) -> Path:
+    """Return the wheel that pip makes of a package of sources."""
+    builder = Environment(folder / "builder")
+    builder.run("python", "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", str(folder), str(sources))
+    (wheel,) = folder.glob("*.whl")
+    return wheel
+
+
+def main(given: Path, folder: Path) -> int:
+    """Run every check of a wheel or a package of sources, print each result, and return how many failed."""
+    wheel = given
+    if given.suffix != ".whl":
+        began = time.monotonic()
+        try:
+            wheel = build(given, folder)
+        except RuntimeError as error:
+            print(f"{'build':<16} FAILED: {error}", "0 passed, 1 failed", sep="\n")
+            return 1
+        print(f"{'build':<16} {wheel.name} in {time.monotonic() - began:.0f} s", flush=True)
     checks = {
         "contents": lambda folder: check_contents(wheel),
         "symbols": lambda folder: check_symbols(wheel, folder),
@@ -156,17 +194,29 @@ def main(wheel: Path) -> int:
         "studio": lambda folder: check_studio(wheel, folder),
         **{f"extra {name}": lambda folder, name=name: check_extra(wheel, name, folder) for name in extras()},
     }
-    failed = 0
+    counts = {"passed": 0, "failed": 0}
     for name, check in checks.items():
-        with tempfile.TemporaryDirectory(prefix="clubface-wheel-") as folder:
+        with tempfile.TemporaryDirectory(prefix="clubface-wheel-") as place:
             try:
-                print(f"{name:<16} {check(Path(folder))}", flush=True)
+                print(f"{name:<16} {check(Path(place))}", flush=True)
+                counts["passed"] += 1
+            except MissingWheelError as error:
+                print(f"{name:<16} left out: {error}", flush=True)
             except RuntimeError as error:
-                failed += 1
                 print(f"{name:<16} FAILED: {error}", flush=True)
-    print(f"{len(checks) - failed} passed, {failed} failed")
-    return failed
+                counts["failed"] += 1
+    print(f"{counts['passed']} passed, {counts['failed']} failed")
+    return counts["failed"]
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]).resolve()) > 0)
+    parser = argparse.ArgumentParser(description="Check a wheel, or a package of sources, as its users meet it.")
+    parser.add_argument("package", type=Path, help="a wheel or a package of sources")
+    parser.add_argument("--python", default=sys.executable, help="the interpreter of the environments")
+    options = parser.parse_args()
+    Environment.python = options.python
+    report = "import sysconfig; print(bool(sysconfig.get_config_var('Py_GIL_DISABLED')))"
+    done = subprocess.run([options.python, "-c", report], capture_output=True, text=True, check=True)
+    Environment.free_threaded = done.stdout.strip() == "True"
+    with tempfile.TemporaryDirectory(prefix="clubface-wheel-") as place:
+        sys.exit(main(options.package.resolve(), Path(place)) > 0)

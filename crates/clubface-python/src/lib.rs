@@ -12,8 +12,9 @@ mod own_law;
 
 use pyo3::prelude::*;
 
-/// The compiled core of clubface.
-#[pymodule]
+/// The compiled core of clubface. It needs no global lock of Python: what threads share is constant or has a lock of its
+/// own, and whoever waits for one of these waits detached from Python.
+#[pymodule(gil_used = false)]
 mod _core {
     #[pymodule_export]
     use crate::describe::{

@@ -10,7 +10,8 @@ use clubface_impact::struck_ball::StruckBall;
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::sync::Mutex;
+use pyo3::sync::MutexExt;
+use std::sync::{Mutex, MutexGuard};
 
 fn exactly<const N: usize>(values: &[f64], name: &'static str) -> PyResult<[f64; N]> {
     values.try_into().map_err(|_| {
@@ -29,10 +30,10 @@ pub struct ContactHandle {
 type Given = ([f64; HEAD], [f64; BODY], Vec<f64>);
 
 impl ContactHandle {
-    fn given(&self, head: &[f64], ball: &[f64], internal: Vec<f64>) -> PyResult<Given> {
+    fn given(&self, py: Python<'_>, head: &[f64], ball: &[f64], internal: Vec<f64>) -> PyResult<Given> {
         let (head, ball) = (exactly(head, "head")?, exactly(ball, "ball")?);
         check_motion(&head, &ball).map_err(|e| value_error(&e))?;
-        let needed = lock(&self.plain)?.initial().len();
+        let needed = lock(py, &self.plain)?.initial().len();
         if internal.len() != needed {
             let message = format!("{} numbers given, {needed} needed", internal.len());
             return Err(value_error(&ImpactError::new("internal", message)));
@@ -41,8 +42,10 @@ impl ContactHandle {
     }
 }
 
-fn lock<T>(held: &Mutex<T>) -> PyResult<std::sync::MutexGuard<'_, T>> {
-    held.lock().map_err(|_| PyValueError::new_err("a fault of clubface ended this contact; please report it"))
+/// Waits detached from Python: whoever holds the lock may make arrays, and with that wait for all other threads.
+fn lock<'a, T>(py: Python<'_>, held: &'a Mutex<T>) -> PyResult<MutexGuard<'a, T>> {
+    held.lock_py_attached(py)
+        .map_err(|_| PyValueError::new_err("a fault of clubface ended this contact; please report it"))
 }
 
 #[pymethods]
@@ -70,14 +73,14 @@ impl ContactHandle {
 
     /// Names of the internal states.
     #[getter]
-    fn names(&self) -> PyResult<Vec<String>> {
-        Ok(lock(&self.plain)?.names())
+    fn names(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        Ok(lock(py, &self.plain)?.names())
     }
 
     /// The internal states at first touch.
     #[getter]
     fn initial<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_slice(py, lock(&self.plain)?.initial()))
+        Ok(PyArray1::from_slice(py, lock(py, &self.plain)?.initial()))
     }
 
     /// What acts, and the rates of the internal states.
@@ -89,9 +92,9 @@ impl ContactHandle {
         ball: Vec<f64>,
         internal: Vec<f64>,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
-        let (head, ball, internal) = self.given(&head, &ball, internal)?;
+        let (head, ball, internal) = self.given(py, &head, &ball, internal)?;
         let mut rates = vec![0.0; internal.len()];
-        let contact = lock(&self.plain)?;
+        let contact = lock(py, &self.plain)?;
         let wrench =
             contact.evaluate(&Head::from_values(&head), &Body::from_values(&ball), &internal, &mut rates);
         Ok((PyArray1::from_slice(py, &wrench.values()), PyArray1::from_vec(py, rates)))
@@ -106,8 +109,8 @@ impl ContactHandle {
         ball: Vec<f64>,
         internal: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (head, ball, internal) = self.given(&head, &ball, internal)?;
-        let rows = lock(&self.differentiated)?.jacobian(&head, &ball, &internal);
+        let (head, ball, internal) = self.given(py, &head, &ball, internal)?;
+        let rows = lock(py, &self.differentiated)?.jacobian(&head, &ball, &internal);
         Ok(PyArray2::from_vec2(py, &rows)?)
     }
 
@@ -120,8 +123,8 @@ impl ContactHandle {
         ball: Vec<f64>,
         internal: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let (head, ball, mut internal) = self.given(&head, &ball, internal)?;
-        lock(&self.plain)?.commit(&Head::from_values(&head), &Body::from_values(&ball), &mut internal);
+        let (head, ball, mut internal) = self.given(py, &head, &ball, internal)?;
+        lock(py, &self.plain)?.commit(&Head::from_values(&head), &Body::from_values(&ball), &mut internal);
         Ok(PyArray1::from_vec(py, internal))
     }
 }
@@ -157,7 +160,7 @@ impl BallHandle {
         duration: f64,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let head = exactly(&head, "head")?;
-        let step = lock(&self.ball)?.advance(&head, duration).map_err(|e| value_error(&e))?;
+        let step = lock(py, &self.ball)?.advance(&head, duration).map_err(|e| value_error(&e))?;
         let mut loads = [0.0; 8];
         step.force.put(&mut loads, 0);
         step.torque.put(&mut loads, 3);
@@ -168,18 +171,18 @@ impl BallHandle {
     /// Position, velocity and angular velocity of the ball.
     #[getter]
     fn motion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_slice(py, &lock(&self.ball)?.ball().values()))
+        Ok(PyArray1::from_slice(py, &lock(py, &self.ball)?.ball().values()))
     }
 
     /// 0 before the contact, 1 in it, 2 after it.
     #[getter]
-    fn phase(&self) -> PyResult<u8> {
-        Ok(lock(&self.ball)?.phase() as u8)
+    fn phase(&self, py: Python<'_>) -> PyResult<u8> {
+        Ok(lock(py, &self.ball)?.phase() as u8)
     }
 
     /// The outputs of the impact, once the ball has left the face.
     #[getter]
-    fn launch(&self) -> PyResult<Option<Vec<f64>>> {
-        Ok(lock(&self.ball)?.launch().map(|launch| launch.to_vec()))
+    fn launch(&self, py: Python<'_>) -> PyResult<Option<Vec<f64>>> {
+        Ok(lock(py, &self.ball)?.launch().map(|launch| launch.to_vec()))
     }
 }
