@@ -20,7 +20,7 @@ import numpy as np
 import clubface
 from clubface import shots
 from clubface.errors import ClubfaceError
-from clubface.shots.open_connect_messages import MessageError, from_json, recorded
+from clubface.shots.open_connect import MessageError, from_json, recorded
 from clubface.shots.prediction import predict
 from clubface.studies.study import read_study
 from fem_meshes import FORMATS, HEAD, coarse_walls, write_walls

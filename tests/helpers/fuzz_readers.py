@@ -39,8 +39,8 @@ from clubface.shots import opengolfsim
 from clubface.shots.flight_relay import ShotCollector, text_to_object
 from clubface.shots.formats import mapping_of
 from clubface.shots.live import LiveShots, live_result
-from clubface.shots.messages import Message
-from clubface.shots.open_connect_messages import Broken, MessageError, ObjectStream, from_json, recorded
+from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, recorded
+from clubface.shots.open_connect import from_json
 from clubface.shots.prediction import predict
 from clubface.shots.reading import read_shots
 from clubface.shots.recorded import RecordedShots

@@ -167,7 +167,7 @@ def test_a_device_connects_and_a_web_page_may_not():
     from websockets.exceptions import InvalidStatus
     from websockets.sync.client import connect
 
-    from clubface.shots.flight_relay_link import FlightRelayListener
+    from clubface.shots.flight_relay import FlightRelayListener
 
     shots, problems = [], []
     listener = FlightRelayListener(0, shots.append, problems.append)
@@ -187,12 +187,12 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
 
     from websockets.sync.server import serve
 
-    from clubface.shots import flight_relay_link
+    from clubface.shots import flight_relay
 
     shots, problems = [], []
     with serve(converse, "127.0.0.1", 0) as device:
         port = device.socket.getsockname()[1]
-        client = flight_relay_link.FlightRelayClient(f"ws://localhost:{port}", shots.append, problems.append)
+        client = flight_relay.FlightRelayClient(f"ws://localhost:{port}", shots.append, problems.append)
         threading.Thread(target=device.serve_forever, daemon=True).start()
         try:
             assert client.address == f"ws://localhost:{port}/frp"
@@ -209,7 +209,7 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
 ])  # fmt: skip
 def test_an_address_that_is_none_is_refused(address):
     pytest.importorskip("websockets")
-    from clubface.shots.flight_relay_link import FlightRelayClient
+    from clubface.shots.flight_relay import FlightRelayClient
 
     with pytest.raises(InputError, match="an address such as ws://localhost:5880/frp, or a port"):
         FlightRelayClient(address, print, print)

@@ -14,7 +14,7 @@ import clubface
 from clubface.errors import FileError, UnknownNameError
 from clubface.shots.live import LiveShots, Player, live_result
 from clubface.shots.live_links import LiveLinks
-from clubface.shots.messages import shot_message
+from clubface.shots.messages import Message, shot_message
 from clubface.shots.shot_list import shot_list_result
 
 LAUNCH = {"ball_speed": 65.0, "launch": 0.22, "azimuth": 0.01, "backspin": 280.0, "sidespin": -30.0}
@@ -22,7 +22,8 @@ DELIVERY = {"speed": 45.0, "attack": -0.02, "path": 0.03, "loft": 0.22}
 
 
 def message(number=1, launch=LAUNCH, delivery=DELIVERY, device="radar", identity=""):
-    return shot_message(device=device, shot_number=number, delivery=delivery, launch=launch, identity=identity)
+    raw = Message(kind="shot", device=device, shot_number=number, delivery=delivery, launch=launch, identity=identity)
+    return shot_message(raw)
 
 
 @pytest.fixture

@@ -16,16 +16,8 @@ import clubface
 from attached_notes import codes, noted
 from clubface.errors import InputError, LinkError, UnknownNameError
 from clubface.shots import open_connect
-from clubface.shots.open_connect import Listener, Sender
-from clubface.shots.open_connect_messages import (
-    LARGEST,
-    Broken,
-    MessageError,
-    ObjectStream,
-    from_json,
-    recorded,
-    to_json,
-)
+from clubface.shots.messages import LARGEST, Broken, ObjectStream
+from clubface.shots.open_connect import Listener, MessageError, Sender, from_json, recorded, to_json
 from clubface.simulation.spin import SPINS
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")

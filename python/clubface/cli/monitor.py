@@ -20,7 +20,7 @@ from clubface.support.files import same_file
 from clubface.units import parse
 
 if TYPE_CHECKING:
-    from clubface.shots.open_connect_messages import Message
+    from clubface.shots.messages import Message
 
 LONGEST = 30 * 86400.0
 """Seconds that anything is waited for."""
@@ -52,8 +52,8 @@ app = typer.Typer(
 )  # fmt: skip
 def listen(**texts: Any) -> None:
     """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
+    from clubface.shots.messages import recorded
     from clubface.shots.open_connect import Listener
-    from clubface.shots.open_connect_messages import recorded
     from clubface.shots.tables.writer import KINDS
 
     target, hand, timeout, count = (texts[name] for name in ("target", "hand", "timeout", "shots"))

@@ -1,30 +1,56 @@
-"""The messages of the Flight Relay Protocol 0.1: events of a shot over a WebSocket, put together to one message.
+"""The Flight Relay Protocol 0.1 over a WebSocket: events of a shot, put together to one message.
 
 The specification (github.com/flightrelay/spec) has texts such as "67.2mps" for speeds and lengths, angles in degrees
 and spins in rpm. Directions and sidespin are positive to the right for either hand, the impact towards the toe and the
 crown. ``club_offset`` and ``club_height`` are of the head as it passes the ball, not of a point on the face, and are
 not read; nor are the swing plane and the speed after impact. What came of a shot is one shot as soon as the device says
 that it is finished, or when nothing more has come of it for some seconds, or the connection ends.
+
+clubface is the controller. Most devices and bridges listen, and clubface connects to them; some connect to who listens.
+A web page is refused, which any browser would otherwise let make up shots.
 """
 
 from __future__ import annotations
 
 import json
 import re
+import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
+from urllib.parse import urlsplit
 
-from clubface.errors import shortened
+from clubface.errors import InputError, shortened
 from clubface.results.notes import Note, note
-from clubface.shots.messages import LARGEST, LARGEST_VALUE, Message, MessageError, in_si, numbers_of, shot_message
+from clubface.shots.messages import (
+    LARGEST,
+    LARGEST_VALUE,
+    Message,
+    MessageError,
+    ValuesNotTaken,
+    in_si,
+    numbers_of,
+    shot_message,
+)  # fmt: skip
+from clubface.shots.open_connect import MOST_CLIENTS
+from clubface.support.sockets import LOOPBACK, listen_on
 from clubface.units import to_si
 
-__all__ = ["PATH", "PORT", "VERSION", "ShotCollector", "critical_alert", "start_message", "text_to_object"]
+__all__ = ["FlightRelayClient", "FlightRelayListener", "ShotCollector", "text_to_object"]
 
-PORT = 5880
-PATH = "/frp"
+TICK = 0.2
+"""Longest wait before the clock and the request to stop are looked at [s]."""
+RETRY_AFTER = 2.0
+"""Time between two tries to reach a device [s]."""
+ANSWER_TIMEOUT = 10.0
+"""Time within which a device must answer the beginning [s]."""
+Keep = Callable[[Message], object]
+Report = Callable[[str], object]
+
+PORT, PATH = 5880, "/frp"
+"""Where devices listen, unless their address says otherwise."""
 VERSION = "0.1.0"
 UNFINISHED = 5.0
 """Time after which a shot that was not finished is taken as it is [s]."""
@@ -62,14 +88,9 @@ PARTS = {"ball_flight": ("ball", BALL), "club_path": ("club", CLUB), "face_impac
 OF_BALL = {quantity for quantity, _ in BALL.values()} | {"smash"}
 
 
-def start_message() -> dict[str, Any]:
-    """Return the message with which a controller begins."""
-    return {"kind": "start", "version": [VERSION], "name": "clubface"}
-
-
-def critical_alert(reason: str) -> dict[str, Any]:
+def critical_alert(reason: str) -> str:
     """Return the message before a connection is closed."""
-    return {"kind": "alert", "severity": "critical", "message": reason}
+    return json.dumps({"kind": "alert", "severity": "critical", "message": reason})
 
 
 def text_to_object(text: str | bytes) -> dict[str, Any] | None:
@@ -114,8 +135,8 @@ class ShotCollector:
             self.has_begun = True
             return []
         event = data.get("event")
-        if data.get("kind") == "alert" or (isinstance(event, Mapping) and event.get("kind") == "alert"):
-            alert = event if isinstance(event, Mapping) else data
+        alert = event if isinstance(event, Mapping) else data
+        if "alert" in (data.get("kind"), alert.get("kind")):
             text = shortened(str(alert.get("message", "")), 200)
             return [MessageError(f"{_device(data)} says: {text}")]
         if not isinstance(event, Mapping):
@@ -136,20 +157,17 @@ class ShotCollector:
                 _read(shot, event.get(part), part, fields)
         except MessageError as error:
             return [error]
-        result = [self._taken(shot.identity)] if kind == "shot_finished" else []
-        while len(self._open) > MOST_OPEN:
-            result.append(self._taken(next(iter(self._open))))
-        return [each for each in result if each is not None]
+        finished = self._taken([shot.identity] if kind == "shot_finished" else [])
+        return finished + self._taken([*self._open][: max(len(self._open) - MOST_OPEN, 0)])
 
     def overdue(self, now: float | None = None) -> list[Message | MessageError]:
         """Return the shots of which nothing more has come for some seconds."""
         limit = (time.monotonic() if now is None else now) - UNFINISHED
-        late = [identity for identity, each in self._open.items() if each.heard < limit]
-        return [each for identity in late if (each := self._taken(identity)) is not None]
+        return self._taken([identity for identity, each in self._open.items() if each.heard < limit])
 
     def rest(self) -> list[Message | MessageError]:
         """Return all shots that are not finished, as the connection has ended."""
-        return [each for identity in list(self._open) if (each := self._taken(identity)) is not None]
+        return self._taken([*self._open])
 
     def _shot(self, data: Mapping[str, Any], event: Mapping[str, Any]) -> _Open:
         key = event.get("key")
@@ -163,20 +181,21 @@ class ShotCollector:
         shot.heard = time.monotonic()
         return shot
 
-    def _taken(self, identity: str) -> Message | MessageError | None:
-        """Return a shot with what has come of it; None where that is nothing but its beginning."""
-        shot = self._open.pop(identity)
-        if not shot.values and not shot.notes:
-            return None
-        launch = {name: value for name, value in shot.values.items() if name in OF_BALL}
-        delivery = {name: value for name, value in shot.values.items() if name not in OF_BALL}
-        try:
-            return shot_message(
-                device=shot.device, shot_number=shot.number, delivery=delivery, launch=launch, notes=shot.notes,
-                identity=identity,
-            )  # fmt: skip
-        except MessageError as error:
-            return error
+    def _taken(self, identities: list[str]) -> list[Message | MessageError]:
+        """Return shots with what has come of them, but for those of which that is nothing but their beginning."""
+        result: list[Message | MessageError] = []
+        for shot in map(self._open.pop, identities):
+            if shot.values or shot.notes:
+                try:
+                    result.append(shot_message(Message(
+                        kind="shot", device=shot.device, shot_number=shot.number, identity=shot.identity,
+                        launch={name: value for name, value in shot.values.items() if name in OF_BALL},
+                        delivery={name: value for name, value in shot.values.items() if name not in OF_BALL},
+                        notes=tuple(shot.notes),
+                    )))  # fmt: skip
+                except MessageError as error:
+                    result.append(error)
+        return result
 
 
 def _device(data: Mapping[str, Any]) -> str:
@@ -200,11 +219,7 @@ def _read(shot: _Open, part: Any, name: str, fields: Mapping[str, tuple[str, str
             shot.notes.append(note("message-field-no-unit", field=f"{name}.{each}", value=text))
         else:
             values[quantity] = value
-    if not values.get("ball_speed", 1.0) > 0.0:
-        del values["ball_speed"]
-    if not values.get("speed", 1.0) > 0.0:
-        del values["speed"]
-    shot.values.update(values)
+    shot.values |= {name: value for name, value in values.items() if value > 0.0 or name not in ("ball_speed", "speed")}
 
 
 def _tagged(text: Any, kind: str) -> float | None:
@@ -214,3 +229,159 @@ def _tagged(text: Any, kind: str) -> float | None:
         return None
     value = float(match[1])
     return to_si(value, UNITS[match[2]]) if abs(value) < LARGEST_VALUE else None
+
+
+class _Link:
+    """What both ways of connecting share."""
+
+    def __init__(self, keep: Keep, on_problem: Report, on_message: Keep) -> None:
+        self._keep, self._report, self._on_message = keep, on_problem, on_message
+        self._stopped = threading.Event()
+
+    def _converse(self, socket: Any, name: str) -> None:
+        """Hear a device out until the connection or the link ends."""
+        from websockets.exceptions import ConnectionClosed
+
+        collector, not_taken, waited = ShotCollector(), ValuesNotTaken(), 0.0
+        try:
+            socket.send(json.dumps({"kind": "start", "version": [VERSION], "name": "clubface"}))
+            while not self._stopped.is_set():
+                try:
+                    text = socket.recv(timeout=TICK)
+                except TimeoutError:
+                    waited += TICK
+                    if not collector.has_begun and waited > ANSWER_TIMEOUT:
+                        socket.send(critical_alert("no answer to start"))
+                        self._report(f"{name} did not answer and is disconnected")
+                        return
+                else:
+                    if (data := text_to_object(text)) is not None:
+                        self._take(collector.feed(data), name, not_taken)
+                self._take(collector.overdue(), name, not_taken)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._take(collector.rest(), name, not_taken)
+
+    def _take(self, messages: list[Message | MessageError], name: str, not_taken: ValuesNotTaken) -> None:
+        for each in messages:
+            if isinstance(each, MessageError):
+                self._report(f"{name}: {each}")
+                continue
+            for sentence in not_taken.sentences(each):
+                self._report(sentence)
+            if each.kind == "shot":
+                self._keep(each)
+            self._on_message(each)
+
+
+class FlightRelayListener(_Link):
+    """Listens for devices that open the connection, on this machine.
+
+    Parameters
+    ----------
+    port
+        The port. 0 takes a free one, which is then the attribute ``port``.
+    keep
+        Called with every shot, before ``on_message``, which is called with every message; both on threads.
+    on_problem
+        Called with a sentence for what cannot be used, and when a device connects or leaves.
+
+    Raises
+    ------
+    LinkError
+        The port is taken or not allowed.
+    """
+
+    def __init__(self, port: int, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
+        from websockets.sync.server import serve
+
+        super().__init__(keep, on_problem, on_message)
+        self._places = threading.BoundedSemaphore(MOST_CLIENTS)
+        listening = listen_on(port, waiting=MOST_CLIENTS)
+        self.port: int = listening.getsockname()[1]
+        self.address = f"{LOOPBACK}:{self.port}"
+        # Browsers name the page that connects as the origin; monitors name none.
+        self._server = serve(self._serve, sock=listening, origins=[None], max_size=LARGEST, compression=None)
+        threading.Thread(target=self._server.serve_forever, name="flight-relay", daemon=True).start()
+
+    def _serve(self, socket: Any) -> None:
+        name = "{}:{}".format(*socket.remote_address[:2])
+        if not self._places.acquire(blocking=False):
+            socket.send(critical_alert(f"{MOST_CLIENTS} devices are connected"))
+            self._report(f"{name} was turned away: {MOST_CLIENTS} devices are connected")
+            return
+        try:
+            self._report(f"{name} connected")
+            self._converse(socket, name)
+            self._report(f"{name} left")
+        finally:
+            self._places.release()
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._stopped.set()
+        self._server.shutdown()
+
+
+class FlightRelayClient(_Link):
+    """Connects to a device or a bridge, again and again until it is there, on a thread of its own.
+
+    Parameters
+    ----------
+    address
+        As in ``ws://localhost:5880/frp``; the path may be left out.
+    keep, on_problem, on_message
+        As of :class:`FlightRelayListener`.
+    """
+
+    def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
+        super().__init__(keep, on_problem, on_message)
+        self.is_connected = False
+        self.address = _whole_address(address)
+        self._thread = threading.Thread(target=self._run, name="flight-relay", daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        from websockets.exceptions import InvalidHandshake
+        from websockets.sync.client import connect
+
+        while not self._stopped.is_set():
+            with (
+                suppress(OSError, InvalidHandshake),
+                connect(
+                    self.address,
+                    max_size=LARGEST,
+                    compression=None,
+                    open_timeout=ANSWER_TIMEOUT,
+                    close_timeout=1.0,
+                    proxy=None,
+                ) as socket,
+            ):
+                self.is_connected = True
+                self._report(f"connected to {self.address}")
+                try:
+                    self._converse(socket, self.address)
+                finally:
+                    self.is_connected = False
+                self._report(f"{self.address} left")
+            self._stopped.wait(RETRY_AFTER)
+
+    def close(self) -> None:
+        """End the connection."""
+        self._stopped.set()
+        self._thread.join(5.0)
+
+
+def _whole_address(address: str) -> str:
+    """Return the address of a device, with the usual path where it has none."""
+    from websockets.exceptions import InvalidURI
+    from websockets.uri import parse_uri
+
+    try:
+        parse_uri(address).host.encode("idna")
+    except (InvalidURI, ValueError):
+        example = "an address such as ws://localhost:5880/frp, or a port"
+        raise InputError("flight_relay", address, example) from None
+    parts = urlsplit(address)
+    return address if parts.path.strip("/") else f"{parts.scheme}://{parts.netloc}{PATH}"

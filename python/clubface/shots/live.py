@@ -27,7 +27,7 @@ from clubface.results.notes import Note
 from clubface.results.result import Result
 from clubface.shots.messages import PROTOCOLS, Message, recorded
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.shot_list import CompletedShots, completed, shot_list_result
+from clubface.shots.shot_list import shot_list_result
 from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES
 from clubface.simulation.results import inputs
 from clubface.support.checks import check_choice, check_names
@@ -107,8 +107,7 @@ class LiveShots:
     @property
     def shots(self) -> Sequence[LiveShot]:
         """All shots, in the order in which they came."""
-        with self._changed:
-            return tuple(self._shots)
+        return self.since(0)
 
     def since(self, number: int) -> Sequence[LiveShot]:
         """Return the shots after one of a number."""
@@ -180,7 +179,10 @@ class LiveShots:
         if message.shot_number == 0:
             return False
         last = next((each for each in reversed(self._shots) if each.message.device == message.device), None)
-        return last is not None and last.protocol == protocol and _same(last.message, message)
+        same = ("shot_number", "delivery", "launch")
+        return last is not None and (protocol, *(getattr(message, name) for name in same)) == (
+            last.protocol, *(getattr(last.message, name) for name in same)
+        )  # fmt: skip
 
     def _append(self, record: Mapping[str, Any]) -> None:
         line = json.dumps(record, allow_nan=False, ensure_ascii=False).encode("utf-8", "replace") + b"\n"
@@ -258,21 +260,16 @@ def _numbers(values: Mapping[str, Any], known: Collection[str]) -> dict[str, flo
     return result
 
 
-def _same(one: Message, other: Message) -> bool:
-    return (one.shot_number, one.delivery, one.launch) == (other.shot_number, other.delivery, other.launch)
-
-
 def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
     """Return live shots as recorded ones; there must be one at least."""
-
-    def texts(values: list[str]) -> Any:
-        return np.array(values, dtype=object)
-
+    texts = {
+        "clubs": [each.player.club for each in shots],
+        "hand": [each.player.hand for each in shots],
+        "dates": [each.received for each in shots],
+    }
     return replace(
         recorded([each.message for each in shots]),
-        clubs=texts([each.player.club for each in shots]),
-        hand=texts([each.player.hand for each in shots]),
-        dates=texts([each.received for each in shots]),
+        **{name: np.array(values, dtype=object) for name, values in texts.items()},
         rows=np.array([each.number for each in shots], dtype=np.int64),
         source=" and ".join(PROTOCOLS[each] for each in dict.fromkeys(one.protocol for one in shots)),
         format="live",
@@ -282,8 +279,3 @@ def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
 def live_result(shots: Sequence[LiveShot]) -> Result:
     """Return successive live shots one by one, with what is computed of them."""
     return shot_list_result(live_shots(shots), first=shots[0].number, title="Live shots")
-
-
-def completed_shot(shot: LiveShot) -> CompletedShots:
-    """Return one live shot with what is computed of it."""
-    return completed(live_shots([shot]))

@@ -11,11 +11,12 @@ from queue import Empty, SimpleQueue
 from typing import NamedTuple
 
 from clubface.errors import ClubfaceError, InputError, LinkError, in_a_line
-from clubface.shots.flight_relay_link import FlightRelayClient, FlightRelayListener
-from clubface.shots.live import LiveShot, LiveShots, completed_shot
+from clubface.shots.flight_relay import FlightRelayClient, FlightRelayListener
+from clubface.shots.live import LiveShot, LiveShots, live_shots
 from clubface.shots.messages import PROTOCOLS, Message
 from clubface.shots.open_connect import NO_ANSWER, OPEN_CONNECT, Dialect, Listener, Sender
 from clubface.shots.opengolfsim import OPENGOLFSIM, OpenGolfSimSender
+from clubface.shots.shot_list import completed
 from clubface.support.sockets import LOOPBACK, check_port
 
 __all__ = ["LinkState", "LiveLinks", "LiveRemark", "SimulatorAddress", "simulator_address"]
@@ -25,6 +26,7 @@ MOST_REMARKS = 50
 WAIT = 0.2
 """Longest wait before the request to stop is looked at [s]."""
 DIALECTS = {each.name: each for each in (OPEN_CONNECT, OPENGOLFSIM)}
+SENDERS = {OPEN_CONNECT.name: Sender, OPENGOLFSIM.name: OpenGolfSimSender}
 
 
 class LinkState(NamedTuple):
@@ -169,10 +171,8 @@ class LiveLinks:
             except ClubfaceError as error:
                 self.remark(str(error))
 
-        if isinstance(where, int):
-            self._relay = FlightRelayListener(where, keep, self.remark, self._remark_ready)
-            return f"{LOOPBACK}:{self._relay.port}"
-        self._relay = FlightRelayClient(where, keep, self.remark, self._remark_ready)
+        make = FlightRelayListener if isinstance(where, int) else FlightRelayClient
+        self._relay = make(where, keep, self.remark, self._remark_ready)  # pyright: ignore[reportArgumentType]
         return self._relay.address
 
     def _keep(self, message: Message, protocol: str) -> None:
@@ -223,7 +223,7 @@ class _Simulator:
 
     def _sent(self, shot: LiveShot) -> str:
         """Send a launch, over a new connection where the last one is lost; return what was sent to whom."""
-        every = completed_shot(shot)
+        every = completed(live_shots([shot]))
         launch = every.launch(0)
         how = "computed from the club data" if "ball_speed" in every.computed_at(0) else "as measured"
         was_connected = self._sender is not None
@@ -237,14 +237,9 @@ class _Simulator:
         return f"the launch, {how}, was sent to the simulator on port {self.address.port}"
 
     def _send(self, launch: dict[str, float], message: Message) -> None:
-        if self._sender is None:
-            make = Sender if self.address.protocol == OPEN_CONNECT.name else OpenGolfSimSender
-            self._sender = make(self.address.port)
-        if isinstance(self._sender, OpenGolfSimSender):
-            self._sender.send(launch)
-            return
-        answer = self._sender.send(launch, message.delivery)
-        if not answer.was_taken:
+        sender = self._sender = self._sender or SENDERS[self.address.protocol](self.address.port)
+        answer = sender.send(launch, message.delivery)
+        if answer is not None and not answer.was_taken:
             raise InputError("shot", message.shot_number, f"one that the simulator takes; it says: {answer.message}")
 
     def _leave(self) -> None:

@@ -7,27 +7,28 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from clubface.errors import ClubfaceError, shortened
+from clubface.errors import AssumptionWarning, ClubfaceError, shortened
 from clubface.results.notes import Note, note
 from clubface.shots.plausibility import impossible, impossible_note, shown, within_turn
-from clubface.simulation.spin import SPINS, complete
-from clubface.units import to_si
+from clubface.simulation.spin import AXIS, BACK, DIMENSIONS, SIDE, SPINS, TOTAL, complete, parts
+from clubface.support.checks import warn_once
+from clubface.units import from_si, parse, to_si, unit
 
 if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
 __all__ = [
-    "LARGEST", "LARGEST_VALUE", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "ValuesNotTaken",
-    "in_si", "number_of", "numbers_of", "object_of", "recorded", "shot_message",
+    "LARGEST", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "ValuesNotTaken", "in_si", "in_units",
+    "number_of", "numbers_of", "object_of", "recorded", "shot_message", "whole_spin",
 ]  # fmt: skip
-
 
 LARGEST_NUMBER = 1e9
 """No number of a message comes near it, but for what stands for a value that was not measured."""
@@ -79,47 +80,27 @@ class Message:
     identity: str = ""
 
 
-def shot_message(
-    *,
-    device: str,
-    shot_number: int,
-    delivery: Mapping[str, float],
-    launch: Mapping[str, float],
-    notes: Sequence[Note] = (),
-    identity: str = "",
-    is_ready: bool | None = None,
-    sees_ball: bool | None = None,
-) -> Message:
-    """Return the message of a shot, without the values that no shot can have, and with all that follows of its spin.
+def shot_message(raw: Message) -> Message:
+    """Return the message of a shot without the values that no shot can have, and with all that follows of its spin.
 
     Raises
     ------
     MessageError
         Nothing was measured, or nothing is left.
     """
-    if not launch and not delivery:
-        raise MessageError("; ".join(["the message holds no value of a shot", *map(str, notes)]))
-    wrong = impossible({**delivery, **launch})
+    if not raw.launch and not raw.delivery:
+        raise MessageError("; ".join(["the message holds no value of a shot", *map(str, raw.notes)]))
+    wrong = impossible({**raw.delivery, **raw.launch})
     launch, delivery = (
-        {name: value for name, value in each.items() if name not in wrong} for each in (launch, delivery)
+        {name: value for name, value in each.items() if name not in wrong} for each in (raw.launch, raw.delivery)
     )
     if not launch and not delivery:
         raise MessageError(f"no shot can have such values: {', '.join(wrong)}")
-    remarks = list(notes)
-    launch = _whole(launch, remarks)
-    return Message(
-        kind="shot", device=device, shot_number=shot_number, delivery=delivery, launch=launch, impossible=wrong,
-        notes=tuple(remarks), identity=identity, is_ready=is_ready, sees_ball=sees_ball,
-    )  # fmt: skip
-
-
-def _whole(launch: Mapping[str, float], notes: list[Note]) -> dict[str, float]:
-    """Return a launch with all that follows of its spin, and directions within half a turn."""
     spins = complete({name: np.array([launch[name]]) for name in SPINS if name in launch})
-    notes += [*(each.note for each in spins.contradictions), *spins.notes]
-    known = {name: float(values[0]) for name, values in spins.values.items() if values[0] == values[0]}
+    known = {name: float(values[0]) for name, values in spins.values.items() if not np.isnan(values[0])}
     rest = {name: float(within_turn(name, value)) for name, value in launch.items() if name not in SPINS}
-    return rest | known
+    notes = (*raw.notes, *(each.note for each in spins.contradictions), *spins.notes)
+    return replace(raw, delivery=delivery, launch=rest | known, impossible=wrong, notes=notes)
 
 
 class ValuesNotTaken:
@@ -140,15 +121,22 @@ class ValuesNotTaken:
         self._reported.update(new, remarks)
 
 
-def numbers_of(data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note]) -> dict[str, float]:
-    """Return the fields that hold a number; a note says which hold something else. Null is not measured."""
+def numbers_of(
+    data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note], needed: Collection[str] = ()
+) -> dict[str, float]:
+    """Return the fields that hold a number; null is not measured.
+
+    A note says which hold something else; among those ``needed``, that and null are a :class:`MessageError`.
+    """
     result = {}
     for name in names:
-        if data.get(name) is None:
+        if data.get(name) is None and name not in needed:
             continue
         try:
             result[name] = number_of(data, name, where, LARGEST_VALUE)
         except MessageError:
+            if name in needed:
+                raise
             notes.append(note("message-field-no-number", field=f"{where}{name}", value=shortened(repr(data[name]), 40)))
     return result
 
@@ -177,6 +165,31 @@ def object_of(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 def in_si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
     """Return the values of fields in SI by quantity; ``fields`` has the quantity and the unit of each."""
     return {fields[name][0]: to_si(value, fields[name][1]) for name, value in given.items()}
+
+
+def in_units(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Return the fields of a message, each in its unit, from values or texts with units; NaN is left out."""
+    result = {}
+    for name, (quantity, symbol) in fields.items():
+        if values.get(quantity) is not None:
+            number = _si_number(values[quantity], quantity, unit(symbol).dimension)
+            if not math.isnan(number):
+                result[name] = float(from_si(number, symbol))
+    return result
+
+
+def whole_spin(launch: Mapping[str, Any]) -> dict[str, float]:
+    """Return all four spins of a launch [rad/s, rad]; a warning says what was assumed."""
+    given = {name: _si_number(launch[name], name, DIMENSIONS[name]) for name in SPINS if launch.get(name) is not None}
+    back, side, assumed = parts({name: value for name, value in given.items() if not math.isnan(value)})
+    if assumed:
+        warn_once(assumed, AssumptionWarning)
+    return {BACK: back, SIDE: side, TOTAL: math.hypot(back, side), AXIS: math.atan2(side, back)}
+
+
+def _si_number(value: Any, name: str, dimension: str) -> float:
+    """Return a number in SI; NaN is one, and means not measured."""
+    return value if isinstance(value, float) and math.isnan(value) else parse(value, dimension, name=name)
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: str = "open-connect") -> RecordedShots:
@@ -218,8 +231,8 @@ LARGEST = 65_536
 DEEPEST = 16
 """Objects in objects; Open Connect has two."""
 _SPACE = b" \t\r\n\x00"
-_QUOTE, _ESCAPE = ord('"'), ord("\\")
-_OPEN, _CLOSE = b"{[", b"}]"
+_MARK = re.compile(rb'"(?:[^"\\]|\\.)*+(?P<text_ends>"?)|[\[{]|[\]}]', re.DOTALL)
+"""A text, which may not have ended yet, and what begins or ends an object or a list."""
 
 
 class Broken(NamedTuple):
@@ -232,16 +245,12 @@ class ObjectStream:
     """Collects bytes and returns the JSON objects in them, each as soon as its last brace has arrived."""
 
     def __init__(self) -> None:
-        self._held = bytearray()
         self.drop()
 
     def drop(self) -> None:
         """Discard an unfinished message; the next bytes begin a new one."""
-        self._held.clear()
-        self._seen = 0
-        self._depth = 0
-        self._in_text = False
-        self._escaped = False
+        self._held = b""
+        self._seen = self._depth = 0
         self._in_garbage = False
 
     @property
@@ -253,53 +262,36 @@ class ObjectStream:
         """Return the messages that ``data`` completes, and a :class:`Broken` for bytes that are not a message."""
         self._held += data
         result: list[dict[str, Any] | Broken] = []
-        while self._seen < len(self._held):
-            byte = self._held[self._seen]
-            self._seen += 1
+        while self._held:
             if self._depth == 0:
-                self._between(byte, result)
-            elif self._in_text:
-                self._text(byte)
-            elif byte == _QUOTE:
-                self._in_text = True
-            elif byte in _OPEN:
-                self._depth += 1
-            elif byte in _CLOSE:
-                self._depth -= 1
-                if self._depth == 0:
-                    result.append(_parsed(bytes(self._held[: self._seen])))
-                    self._cut()
+                before, brace, rest = self._held.partition(b"{")
+                if (garbage := before.strip(_SPACE)) and not self._in_garbage:
+                    result.append(Broken(f"no JSON object begins with {chr(garbage[0])!r}"))
+                self._in_garbage = not brace and (self._in_garbage or bool(garbage))
+                self._held, self._seen, self._depth = brace + rest, len(brace), len(brace)
+                continue
+            self._look_on()
             if self._seen > LARGEST or self._depth > DEEPEST:
                 result.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
-                rest = bytes(self._held[self._seen :])
-                self.drop()
-                self._in_garbage = True
-                self._held += rest
+                self._held, self._depth, self._in_garbage = self._held[min(self._seen, LARGEST) :], 0, True
+            elif self._depth == 0:
+                result.append(_parsed(self._held[: self._seen]))
+                self._held = self._held[self._seen :]
+            else:
+                break
         return result
 
-    def _between(self, byte: int, result: list[dict[str, Any] | Broken]) -> None:
-        if byte == _OPEN[0]:
-            self._depth = 1
-            self._in_garbage = False
-            del self._held[: self._seen - 1]
-            self._seen = 1
-            return
-        if byte not in _SPACE and not self._in_garbage:
-            self._in_garbage = True
-            result.append(Broken(f"no JSON object begins with {chr(byte)!r}"))
-        self._cut()
-
-    def _text(self, byte: int) -> None:
-        if self._escaped:
-            self._escaped = False
-        elif byte == _ESCAPE:
-            self._escaped = True
-        elif byte == _QUOTE:
-            self._in_text = False
-
-    def _cut(self) -> None:
-        del self._held[: self._seen]
-        self._seen = 0
+    def _look_on(self) -> None:
+        """Go on to the end of the object, or as far as the bytes reach; a text is looked at again once it has ended."""
+        while 0 < self._depth <= DEEPEST:
+            mark = _MARK.search(self._held, self._seen)
+            if mark is None or mark["text_ends"] == b"":
+                if mark is None or len(self._held) > LARGEST:
+                    self._seen = len(self._held)
+                return
+            self._seen = mark.end()
+            if mark["text_ends"] is None:
+                self._depth += 1 if mark[0] in b"{[" else -1
 
 
 def _parsed(text: bytes) -> dict[str, Any] | Broken:

@@ -2,6 +2,14 @@
 
 :class:`Listener` takes the place of the simulator and yields the shots of a monitor. :class:`Sender` takes the place of
 the monitor and sends launches to a simulator.
+
+The fields are those of the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph,
+angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` says. HLA, spin axis and sidespin are
+positive to the right. The page does not give the signs of the club data. Here path and face angle are positive to the
+right for either hand, the horizontal impact is positive towards the toe in mm, as connectors for the protocol write it,
+and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
+both impact offsets, mean not measured. So does a value that no golf shot can have. Total spin and spin axis are
+required, backspin and sidespin are not.
 """
 
 from __future__ import annotations
@@ -15,9 +23,26 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, NamedTuple, Self
 
-from clubface.errors import LinkError
-from clubface.shots.messages import Broken, Message, MessageError, ObjectStream, ValuesNotTaken, recorded as recorded
-from clubface.shots.open_connect_messages import FAILED, OK, PLAYER, from_json, heartbeat, player, reply, to_json
+from clubface.errors import InputError, LinkError, shortened
+from clubface.results.notes import Note, note
+from clubface.shots.messages import (
+    Broken,
+    Message,
+    MessageError,
+    ObjectStream,
+    ValuesNotTaken,
+    in_si,
+    in_units,
+    number_of,
+    numbers_of,
+    object_of,
+    recorded,
+    shot_message,
+    whole_spin,
+)  # fmt: skip
+from clubface.simulation.launch import Launch
+from clubface.simulation.spin import BACK, SIDE
+from clubface.support.checks import check_choice
 from clubface.support.sockets import CHUNK, LOOPBACK, Connection, listen_on
 
 __all__ = [
@@ -38,6 +63,188 @@ SILENT = 10.0
 """Time after which a connection that has not sent one message is closed [s]."""
 IDLE = 1800.0
 """The same since its last message for one that has [s]: people talk and eat, and not every monitor sends heartbeats."""
+
+VERSION = "1"
+BALL = {
+    "Speed": ("ball_speed", "mph"),
+    "SpinAxis": ("spin_axis", "deg"),
+    "TotalSpin": ("total_spin", "rpm"),
+    "BackSpin": ("backspin", "rpm"),
+    "SideSpin": ("sidespin", "rpm"),
+    "HLA": ("azimuth", "deg"),
+    "VLA": ("launch", "deg"),
+    "CarryDistance": ("carry", "yd"),
+}
+CLUB = {
+    "Speed": ("speed", "mph"),
+    "AngleOfAttack": ("attack", "deg"),
+    "FaceToTarget": ("face", "deg"),
+    "Lie": ("lie", "deg"),
+    "Loft": ("loft", "deg"),
+    "Path": ("path", "deg"),
+    "VerticalFaceImpact": ("high", "mm"),
+    "HorizontalFaceImpact": ("toe", "mm"),
+    "ClosureRate": ("closure", "deg/s"),
+}
+"""The quantity and unit of each field; of the club, ``SpeedAtImpact`` is not used."""
+NEEDED = ("Speed", "HLA", "VLA")
+"""Fields without which there is no launch."""
+NEVER_ZERO = ("speed", "loft", "closure")
+"""Quantities of the club that are zero only where they were not measured."""
+CARRY_UNITS = {
+    **dict.fromkeys(("yards", "yard", "yds", "yd"), "yd"),
+    **dict.fromkeys(("meters", "metres", "meter", "metre", "m"), "m"),
+}
+"""What ``Units`` may say, and the unit of the carry that it means."""
+OK, PLAYER, FAILED = 200, 201, 501
+HANDS = {"right": "RH", "left": "LH"}
+
+
+def from_json(data: Mapping[str, Any]) -> Message:
+    """Return the message in a JSON object.
+
+    A field of the club, of the spin or the carry that holds no number costs that field; so do values that no shot can
+    have, and spins that contradict others. The message says so in ``notes`` and ``impossible``.
+
+    Raises
+    ------
+    MessageError
+        A field without which there is no shot is missing or wrong; the text names it.
+    """
+    options: Mapping[str, Any] = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in
+                                  ("BallData", "ClubData")}  # fmt: skip
+    if data.get("ShotDataOptions") is not None or not any(options.values()):
+        options = object_of(data, "ShotDataOptions")
+    has_ball, has_club, is_heartbeat, is_ready, sees_ball = (
+        _flag(options, name)
+        for name in (
+            "ContainsBallData", "ContainsClubData", "IsHeartBeat", "LaunchMonitorIsReady", "LaunchMonitorBallDetected",
+        )
+    )  # fmt: skip
+    device = data.get("DeviceID")
+    if not isinstance(device, str) or not device.strip():
+        raise MessageError("DeviceID must be a text")
+    version = str(data.get("APIversion", VERSION)).strip()
+    if version.partition(".")[0] != VERSION:
+        raise MessageError(f"APIversion is {version[:20]!r}; it must be {VERSION!r}")
+    is_shot = not is_heartbeat and bool(has_ball or has_club)
+    number = number_of(data, "ShotNumber", "") if is_shot or "ShotNumber" in data else 0.0
+    if number < 0.0:
+        raise MessageError("ShotNumber must be 0 or more")
+    notes: list[Note] = []
+    launch: dict[str, float] = {}
+    delivery: dict[str, float] = {}
+    if is_shot:
+        parts = [name for name, has in (("BallData", has_ball), ("ClubData", has_club)) if has]
+        notes += [note("message-part-missing", part=name) for name in parts if data.get(name) is None]
+        if "ClubData" in parts and data.get("ClubData") is not None:
+            delivery = _delivery(object_of(data, "ClubData"), notes)
+        if "BallData" in parts and (data.get("BallData") is not None or not delivery):
+            launch = _launch(data, notes)
+        if not launch and not delivery:
+            raise MessageError("; ".join(["ClubData holds nothing but zeros", *map(str, notes)]))
+    message = Message(
+        kind="shot" if is_shot else "heartbeat" if is_heartbeat else "status", device=device.strip(),
+        shot_number=int(number), delivery=delivery, launch=launch, notes=tuple(notes), is_ready=is_ready,
+        sees_ball=sees_ball,
+    )  # fmt: skip
+    return shot_message(message) if is_shot else message
+
+
+def _launch(data: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
+    ball = object_of(data, "BallData")
+    units = data.get("Units")
+    carry_unit = CARRY_UNITS.get(str("yards" if units is None else units).strip().lower())
+    if carry_unit is None:
+        notes.append(note("message-units", value=shortened(repr(units), 40)))
+    given = numbers_of(ball, BALL, "BallData.", notes, NEEDED)
+    if not given["Speed"] > 0.0:
+        raise MessageError("BallData.Speed must be above 0")
+    back, side, total, axis = (given.get(name) for name in ("BackSpin", "SideSpin", "TotalSpin", "SpinAxis"))
+    if back == 0.0 == side and total is not None:
+        del given["BackSpin"], given["SideSpin"]
+    if total == 0.0 == axis:
+        del given["SpinAxis"]
+    if not given.get("CarryDistance") or carry_unit is None:
+        given.pop("CarryDistance", None)
+    return in_si(given, BALL | {"CarryDistance": ("carry", carry_unit or "yd")})
+
+
+def _delivery(club: Mapping[str, Any], notes: list[Note]) -> dict[str, float]:
+    given = numbers_of(club, CLUB, "ClubData.", notes)
+    if given.get("Speed", 0.0) < 0.0:
+        notes.append(note("message-speed-negative", value=given.pop("Speed")))
+    if not any(given.values()):
+        return {}
+    result = {name: value for name, value in in_si(given, CLUB).items() if value or name not in NEVER_ZERO}
+    if not result.get("toe") and not result.get("high"):
+        result = {name: value for name, value in result.items() if name not in ("toe", "high")}
+    return result
+
+
+def _flag(options: Mapping[str, Any], name: str) -> bool | None:
+    result = options.get(name)
+    if result is not None and not isinstance(result, bool):
+        raise MessageError(f"ShotDataOptions.{name} must be true or false")
+    return result
+
+
+def to_json(
+    launch: Launch | Mapping[str, Any],
+    delivery: Mapping[str, Any] | None = None,
+    *,
+    shot_number: int,
+    device: str = "clubface",
+) -> dict[str, Any]:
+    """Return the message of a shot.
+
+    Parameters
+    ----------
+    launch
+        A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
+        and if known ``azimuth``, ``carry`` and two of ``backspin``, ``sidespin``, ``total_spin`` and ``spin_axis``. The
+        message must hold all four; a warning says what is assumed where they do not follow.
+    delivery
+        The same for the club. If left out: the delivery of a :class:`Launch`, or none.
+    shot_number, device
+        Shot number and device name in the message.
+    """
+    if isinstance(launch, Launch):
+        delivery = delivery if delivery is not None else launch.delivery
+        launch = {name: getattr(launch, name) for name in ("ball_speed", "launch", "azimuth", BACK, SIDE)}
+    ball = in_units({**launch, **whole_spin(launch)}, BALL)
+    if not ball.get("Speed", 0.0) > 0.0:
+        raise InputError("ball_speed", launch.get("ball_speed"), "above 0 in a message to a simulator")
+    if "VLA" not in ball:
+        raise InputError("launch", None, "give the launch angle, which a message to a simulator needs")
+    ball.setdefault("HLA", 0.0)
+    club = dict.fromkeys((*CLUB, "SpeedAtImpact"), 0.0) | in_units(delivery or {}, CLUB)
+    return _outgoing(device, shot_number, {"BallData": ball, "ClubData": club})
+
+
+def heartbeat(*, device: str = "clubface", is_ready: bool = True) -> dict[str, Any]:
+    """Return the message by which a monitor shows that it is there."""
+    return _outgoing(device, 0, {}, is_ready=is_ready)
+
+
+def _outgoing(
+    device: str, shot_number: int, parts: Mapping[str, Mapping[str, float]], *, is_ready: bool = True
+) -> dict[str, Any]:
+    """Return the message of a shot with the data of ball and club, or a heartbeat without any."""
+    return {
+        "DeviceID": device,
+        "Units": "Yards",
+        "ShotNumber": shot_number,
+        "APIversion": VERSION,
+        **parts,
+        "ShotDataOptions": {
+            "ContainsBallData": "BallData" in parts,
+            "ContainsClubData": any(parts.get("ClubData", {}).values()),
+            "LaunchMonitorIsReady": is_ready,
+            "LaunchMonitorBallDetected": True,
+            "IsHeartBeat": not parts,
+        },
+    }
 
 
 class Dialect(NamedTuple):
@@ -71,8 +278,8 @@ OPEN_CONNECT = Dialect(
     "open-connect",
     PORT,
     from_json,
-    lambda message: reply(OK, "Shot received successfully") if message.kind == "shot" else None,
-    lambda reason: reply(FAILED, reason),
+    lambda message: {"Code": OK, "Message": "Shot received successfully"} if message.kind == "shot" else None,
+    lambda reason: {"Code": FAILED, "Message": reason},
 )
 _WEB = re.compile(rb"(?:GET|HEAD|POST|PUT|DELETE|OPTIONS|PATCH|CONNECT|TRACE) ")
 """How what a browser sends begins: a page on the web must not make up shots."""
@@ -88,10 +295,6 @@ class _Client:
         self.heard = self.spoke = time.monotonic()
         self.has_spoken = self.has_begun = False
         self.not_taken = ValuesNotTaken()
-
-    def is_idle(self, now: float) -> bool:
-        """Whether it has been silent for too long."""
-        return now - self.spoke > (IDLE if self.has_spoken else SILENT)
 
 
 class Listener:
@@ -138,7 +341,9 @@ class Listener:
         dialect: Dialect = OPEN_CONNECT,
     ) -> None:
         self._dialect = dialect
-        self._player = player(hand, club) if hand is not None else None
+        if hand is not None:
+            check_choice("hand", hand, HANDS)
+        self._player = hand and {"Handed": HANDS[hand], "Club": club}
         self._keep = keep or (lambda message: None)
         self._report = on_problem or (lambda message: None)
         self._selector = selectors.DefaultSelector()
@@ -180,8 +385,7 @@ class Listener:
                     yield message
                     if self._stopped:
                         return
-            self._give_up_partial()
-            self._close_idle()
+            self._tend()
             if timeout is not None and time.monotonic() - last > timeout:
                 return
 
@@ -204,7 +408,8 @@ class Listener:
         self._selector.register(connection, selectors.EVENT_READ, client)
         self._report(f"{name} connected")
         if self._player is not None:
-            self._answer(client, reply(PLAYER, "GSPro Player Information", self._player))
+            answer = {"Code": PLAYER, "Message": "GSPro Player Information", "Player": self._player}
+            self._answer(client, answer)
 
     def _read(self, client: _Client) -> Iterator[Message]:
         try:
@@ -266,19 +471,16 @@ class Listener:
         self._leave(quietest, "was silent longest, and makes room for another")
         return True
 
-    def _close_idle(self) -> None:
-        now = time.monotonic()
-        for client in self._clients():
-            if client.is_idle(now):
-                self._leave(client, "was silent for too long and is disconnected")
-
-    def _give_up_partial(self) -> None:
+    def _tend(self) -> None:
+        """Give up messages that do not end, and close connections that have been silent for too long."""
         now = time.monotonic()
         for client in self._clients():
             if client.stream.is_partial and now - client.heard > PARTIAL:
                 client.stream.drop()
                 self._report(f"{client.name}: a message did not end within {PARTIAL:g} s")
                 self._answer(client, self._dialect.refusal("the message did not end"))
+            if now - client.spoke > (IDLE if client.has_spoken else SILENT):
+                self._leave(client, "was silent for too long and is disconnected")
 
 
 class Reply(NamedTuple):

@@ -13,18 +13,8 @@ from typing import Any
 
 from clubface.errors import InputError
 from clubface.results.notes import Note
-from clubface.shots.messages import (
-    LARGEST_VALUE,
-    Message,
-    MessageError,
-    in_si,
-    number_of,
-    numbers_of,
-    object_of,
-    shot_message,
-)
+from clubface.shots.messages import Message, MessageError, in_si, numbers_of, object_of, shot_message, whole_spin
 from clubface.shots.open_connect import Dialect
-from clubface.shots.open_connect_messages import whole_spin
 from clubface.support.sockets import LOOPBACK, Connection
 from clubface.units import from_si
 
@@ -67,14 +57,13 @@ def from_json(data: Mapping[str, Any]) -> Message:
     if not isinstance(unit, str) or unit not in UNITS:
         raise MessageError("unit must be imperial or metric")
     notes: list[Note] = []
-    given = {name: number_of(shot, name, "shot.", LARGEST_VALUE) for name in NEEDED}
+    given = numbers_of(shot, FIELDS, "shot.", notes, NEEDED)
     if not given["ballSpeed"] > 0.0:
         raise MessageError("shot.ballSpeed must be above 0")
-    given |= numbers_of(shot, [name for name in FIELDS if name not in NEEDED], "shot.", notes)
     if given.get("spinSpeed") == 0.0 == given.get("spinAxis", 0.0):  # as of a monitor that measures none
         given = {name: value for name, value in given.items() if not name.startswith("spin")}
     fields = FIELDS | {"ballSpeed": ("ball_speed", UNITS[unit])}
-    return shot_message(device=DEVICE, shot_number=0, delivery={}, launch=in_si(given, fields), notes=notes)
+    return shot_message(Message(kind="shot", device=DEVICE, launch=in_si(given, fields), notes=tuple(notes)))
 
 
 def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
@@ -119,8 +108,8 @@ class OpenGolfSimSender:
         self._connection = Connection(port, host=host, timeout=timeout)
         self._connection.send({"type": "device", "status": "ready"}, LINE_END)
 
-    def send(self, launch: Mapping[str, float]) -> None:
-        """Send a launch."""
+    def send(self, launch: Mapping[str, float], delivery: object = None) -> None:
+        """Send a launch; the protocol has no club data."""
         self._connection.receive(0.0)  # what came is not needed, but a connection that was closed is noticed here
         self._connection.send(to_json(launch), LINE_END)
 
