@@ -10,7 +10,8 @@ from clubface.errors import FileError
 from clubface.quantities import quantity
 from clubface.shots.formats import MEASURED
 from clubface.shots.monitors import FORMATS, TABLE
-from clubface.shots.tables.headings import DELIVERY_QUANTITIES, FOREIGN_HEADINGS, HAND, delivery_words, shot_words
+from clubface.shots.tables.headings import DELIVERY_QUANTITIES, HAND, delivery_words, shot_words
+from clubface.shots.tables.vocabulary import vocabulary
 from clubface.units import to_si
 
 
@@ -40,9 +41,9 @@ def test_a_drive_is_the_same_drive_in_every_spelling(write, headings):
 
 
 def test_a_heading_of_another_language_means_one_quantity():
-    words = [name for names in FOREIGN_HEADINGS.values() for name in names]
+    words = [name for names in vocabulary()["headings"].values() for name in names]
     assert len(words) == len(set(words))
-    assert set(FOREIGN_HEADINGS) <= set(shot_words().dimensions)
+    assert set(vocabulary()["headings"]) <= set(shot_words().dimensions)
 
 
 def test_tables_of_deliveries_and_files_of_monitors_know_every_synonym_of_the_registry():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 from clubface.errors import FileError, shortened
@@ -23,7 +24,7 @@ from clubface.shots.tables.headings import (
     unit_of_column,
     unit_symbol,
 )
-from clubface.shots.tables.vocabulary import SIDES, Side, vocabulary
+from clubface.shots.tables.vocabulary import SIDES, vocabulary
 from clubface.units import DIMENSIONLESS
 
 __all__ = ["Columns", "columns_of", "is_units_row"]
@@ -40,48 +41,19 @@ _WORD = re.compile(r"[^\W\d_]|[°%]")
 
 
 class Columns(NamedTuple):
-    """The columns of a table.
+    """The columns of a table, by their places."""
 
-    Attributes
-    ----------
-    width, needed
-        How many there are, and how many of them a row must have: those without a heading at the end may be lacking.
-    first
-        The place of the first column that is used.
-    used
-        The columns of each quantity: several where a heading is there more than once.
-    club, player, hand, date, file
-        The places of the columns that name the club (the preferred first), the player, the hand, the date and the file.
-    points
-        The places of the columns that say where on the club its data was taken.
-    labels
-        The places of the columns of texts in which a row may say that it sums up others: with "club", "player", or
-        the heading.
-    others
-        Places of the columns that give none of all this, but for those that number the shots.
-    counted
-        Places of columns whose values a note counts.
-    unused
-        Headings that would give a quantity but for what is in their brackets, which is no unit.
-    remarks
-        Further remarks on the columns.
-    """
-
-    width: int
-    needed: int
-    first: int
-    used: Mapping[str, tuple[FileColumn, ...]]
-    club: tuple[int, ...]
-    player: int | None
-    hand: int | None
-    date: int | None
-    file: int | None
-    points: Mapping[str, int]
-    labels: Mapping[int, str]
-    others: tuple[int, ...]
-    counted: tuple[int, ...]
-    unused: tuple[str, ...]
-    remarks: tuple[Note, ...]
+    width: int  # how many there are
+    needed: int  # how many of them a row must have: those without a heading at the end may be lacking
+    first: int  # the first that is used
+    used: Mapping[str, tuple[FileColumn, ...]]  # of each quantity: several where a heading is there more than once
+    texts: Mapping[str, tuple[int, ...]]  # "club" (the preferred first), "player", "hand", "date", "file"
+    points: Mapping[str, int]  # those that say where on the club its data was taken
+    labels: Mapping[int, str]  # texts in which a row may say that it sums up others: "club", "player", or the heading
+    others: tuple[int, ...]  # those that give none of all this, but for those that number the shots
+    counted: tuple[int, ...]  # those whose values a note counts
+    unused: tuple[str, ...]  # headings that would give a quantity but for what is in their brackets, which is no unit
+    remarks: tuple[Note, ...]  # further remarks on the columns
 
 
 def is_units_row(cells: Sequence[str]) -> bool:
@@ -115,32 +87,34 @@ def columns_of(
     with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}
     preferred = _preferred(layout, heads, with_unit)
     names = [squeezed(each.name) if each.unit is None else "" for each in heads]
-    clubs = _places(layout.club, names)
+    texts = {key: _places(getattr(layout, key), names)[:1] for key in ("player", "hand", "date", "file")}
+    texts["club"] = _places(layout.club, names)
     used: dict[str, list[FileColumn]] = {}
     without_unit: list[tuple[str, str]] = []
     remarks: list[Note] = []
     for position, each in enumerate(heads):
         # FlightScope calls both the club and its speed "Club"; the one without a unit names it.
-        if each.name not in preferred or position in clubs:
+        if each.name not in preferred or position in texts["club"]:
             continue
-        quantity = layout.names[each.name][0]
-        shown = headings[position].strip()
+        quantity, shown = layout.names[each.name][0], headings[position].strip()
         if not _is_clear(layout, each.name, quantity, shown):
             if quantity == "speed":
                 remarks.append(note("speed-of-club-or-ball", column=shortened(shown, 40)))
             continue
-        named = _named_unit(quantity, shown, each.unit, units_row, position, rows, place)
-        symbol, is_assumed = named or given_unit(units, quantity, dimension_of(quantity)), False
+        dimension, field = dimension_of(quantity), layout.field(quantity)
+        named = each.unit or _written(units_row, position)
+        if named is None:
+            cells = (row[position] for row in rows if position < len(row))
+            named = next((symbol for cell in cells if (symbol := unit_in(cell, quantity))), None)
+        symbol = unit_of_column(named, dimension, shown, place) if named else given_unit(units, quantity, dimension)
+        is_assumed = symbol is None and not layout.needs_units and dimension in ("speed", "length")
+        symbol = symbol or field.unit
         if symbol is None:
-            symbol = layout.field(quantity).unit
-            if symbol is None and quantity not in layout.fields:
-                continue  # it is not the maker's, which alone says its unit
-            if symbol is None:
+            if quantity in layout.fields:  # of other columns the maker does not say the unit
                 without_unit.append((shown, quantity))
-                continue
-            is_assumed = not layout.needs_units and dimension_of(quantity) in ("speed", "length")
-        side = _side(layout, quantity, each)
-        if quantity == "toe" and each.name in UNSIGNED and not (each.positive or layout.field(quantity).positive):
+            continue
+        side = side_of(quantity, each.positive if each.positive in SIDES.get(quantity, {}) else field.positive)
+        if quantity == "toe" and each.name in UNSIGNED and not (each.positive or field.positive):
             remarks.append(note("toe-unsigned", column=shortened(shown, 40)))
         used.setdefault(quantity, []).append(
             FileColumn(position, shown, quantity, symbol, side, named is not None, is_assumed)
@@ -151,34 +125,28 @@ def columns_of(
         raise FileError(*place, remarks[0].sentence)
     if not used:
         raise FileError(*place, f"no column belongs to a {layout.title} file; {listed([h.strip() for h in headings])}")
-    player, hand, date, file = (
-        next(iter(_places(known, names)), None) for known in (layout.player, layout.hand, layout.date, layout.file)
-    )
     places = {each.place for columns in used.values() for each in columns}
-    if not clubs and not layout.only_own:
-        clubs = _clubs_by_cells(rows, {*range(len(headings))} - {*places, player, hand, date, file})
-        remarks += [note("club-column", column=shortened(headings[at].strip(), 40)) for at in clubs]
-    texts = {date: "date", player: "player", **dict.fromkeys(clubs, "club")}
+    taken = {*places, *chain.from_iterable(texts.values())}
+    if not texts["club"] and not layout.only_own:
+        texts["club"] = _clubs_by_cells(rows, {*range(len(headings))} - taken)
+        remarks += [note("club-column", column=shortened(headings[at].strip(), 40)) for at in texts["club"]]
+    labels = {place: key for key in ("date", "player", "club") for place in texts[key]}
     return Columns(
         width=len(headings),
         needed=max((place for place, each in enumerate(headings) if each.strip()), default=0) + 1,
         first=min(places),
         used={quantity: tuple(each) for quantity, each in used.items()},
-        club=clubs,
-        player=player,
-        hand=hand,
-        date=date,
-        file=file,
+        texts=texts,
         points={name: names.index(squeezed(plain(name))) for name in POINTS if squeezed(plain(name)) in names},
         labels={
-            place: texts.get(place, each.name)
+            place: labels.get(place, each.name)
             for place, each in enumerate(heads)
-            if place not in places and place != hand
+            if place not in {*places, *texts["hand"]}
         },
         others=tuple(
             place
             for place, each in enumerate(heads)
-            if place not in {*places, *clubs, player, hand, date, file} and each.name not in NOT_MEASURED
+            if place not in {*taken, *texts["club"]} and each.name not in NOT_MEASURED
         ),
         counted=_places(layout.counted, names),
         unused=tuple(
@@ -238,27 +206,3 @@ def _preferred(layout: Format, heads: Sequence[HeadingParts], with_unit: Collect
     if layout.all_columns:  # of nearly the same, the best
         return {name for name, (quantity, rank) in known.items() if rank // COMMON == best[quantity] // COMMON}
     return {name for name, (quantity, rank) in known.items() if rank == best[quantity]}
-
-
-def _named_unit(
-    quantity: str,
-    shown: str,
-    named: str | None,
-    units_row: Sequence[str] | None,
-    position: int,
-    rows: Iterable[Sequence[str]],
-    place: tuple[str, int | None],
-) -> str | None:
-    """Return the unit that the file names for a column, in its heading, the row of units or a cell."""
-    dimension = dimension_of(quantity)
-    named = named or _written(units_row, position)
-    if named is None:
-        named = next(
-            (symbol for row in rows if position < len(row) and (symbol := unit_in(row[position], quantity))), None
-        )
-    return None if named is None else unit_of_column(named, dimension, shown, place)
-
-
-def _side(layout: Format, quantity: str, head: HeadingParts) -> Side:
-    positive = head.positive if head.positive in SIDES.get(quantity, {}) else layout.field(quantity).positive
-    return side_of(quantity, positive)

@@ -248,26 +248,12 @@ def side_of(quantity: str, positive: str | None) -> Side:
     return SIDES[quantity][plain(positive)]
 
 
-DELIMITERS = (",", ";", "\t", "|")
-SPEED_AT, FACE_AT = (CG, FACE), (FACE, CONTACT)
-
-
 class Mapped(NamedTuple):
-    """The content of a mapping file.
+    """The content of a mapping file."""
 
-    Attributes
-    ----------
-    layout
-        The columns.
-    delimiter
-        The character between cells, or None.
-    decimal_comma
-        Whether numbers are written with a decimal comma, or None.
-    """
-
-    layout: Format
-    delimiter: str | None
-    decimal_comma: bool | None
+    layout: Format  # the columns
+    delimiter: str | None  # the character between cells, where it is said
+    decimal_comma: bool | None  # whether numbers are written with a decimal comma, where it is said
 
 
 def _made_column(name: str, values: dict[str, Any], place: Place) -> tuple[Field, bool]:
@@ -299,13 +285,13 @@ class MappingFile:
     """A mapping file: the columns of a CSV file of any program."""
 
     name: str | None = file_key(TEXT, "name of the format", default=None)
-    delimiter: str | None = file_key(Choice(DELIMITERS), "character between cells; seen unless given", default=None)
+    delimiter: str | None = file_key(Choice((",", ";", "\t", "|")), "between cells; seen unless given", default=None)
     decimal: bool | None = file_key(Choice({".": False, ",": True}), "decimal sign; seen unless given", default=None)
     club: str | None = file_key(TEXT, "heading of the column that names the club", default=None)
     player: str | None = file_key(TEXT, "heading of the column that names the player", default=None)
     hand: str | None = file_key(TEXT, "heading of the column that says right or left", default=None)
-    speed_at: str | None = file_key(Choice(SPEED_AT), "where speed, attack and path are measured", default=None)
-    face_at: str | None = file_key(Choice(FACE_AT), "where loft and face angle are measured", default=None)
+    speed_at: str | None = file_key(Choice((CG, FACE)), "where speed, attack and path are measured", default=None)
+    face_at: str | None = file_key(Choice((FACE, CONTACT)), "where loft and face angle are measured", default=None)
     columns: Mapping[str, tuple[Field, bool]] = file_key(
         Record(_columns, example="[columns.speed]"), "the columns, by quantity"
     )

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite, nan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -59,100 +59,39 @@ SAME = 1e-9
 _NUMERIC = frozenset("0123456789+-.,−")
 
 
-@dataclass
-class ShotBlock:
-    """Shots that stand below one another, SI; sides across the target line are in world terms.
+class ShotBlock(NamedTuple):
+    """Shots that stand below one another, SI; sides across the target line are in world terms."""
 
-    Attributes
-    ----------
-    lines
-        Line in which the row of each begins.
-    values
-        What was measured, by quantity; NaN where it was not.
-    clubs, players, dates, files
-        Names, dates as in the file, or "".
-    hands
-        +1 for right, -1 for left, or NaN if it is not known.
-    """
-
-    lines: list[int]
-    values: dict[str, Floats]
-    clubs: list[str]
-    players: list[str]
-    hands: Floats
-    dates: list[str]
-    files: list[str]
+    lines: list[int]  # in which the row of each begins
+    values: dict[str, Floats]  # what was measured, by quantity; NaN where it was not
+    hands: Floats  # +1 for right, -1 for left, NaN where it is not known
+    texts: dict[str, list[str]]  # "club", "player", "date" and "file" as in the file, or ""
 
 
 @dataclass
 class Session:
-    """The contents of a file.
+    """The contents of a file."""
 
-    Attributes
-    ----------
-    tables
-        The shots of each part of the file.
-    rejected
-        The rows that give no shot.
-    summaries
-        Rows of averages and the like, which are left out.
-    without_club
-        Shots for which the file says that the club was not measured.
-    counts
-        How often each value stands in the columns that a note counts, by heading.
-    assumed
-        Headings whose unit was assumed, with the unit.
-    unused
-        Headings that would give a quantity but for what is in their brackets.
-    remarks
-        Further remarks on the columns.
-    unread
-        Headings of columns of numbers that give no quantity.
-    unreadable
-        Cells of computed quantities that hold no number, by heading: how many, and one of them.
-    points
-        Where on the club data was taken, as columns of the file say.
-    units
-        The units of the first column of each quantity.
-    header_line
-        Where the first header stands.
-    guessed_hand
-        Whether something in terms of the club was read as a right-hander's because nothing names the hand.
-    doubtful_number
-        A number whose decimal mark may separate thousands, where nothing decides it; else "".
-    names_clubs, names_players
-        Whether the file names clubs and players.
-    """
-
-    tables: list[ShotBlock] = field(default_factory=list)
+    tables: list[ShotBlock] = field(default_factory=list)  # the shots of each part of the file
     rejected: list[RejectedRow] = field(default_factory=list)
-    summaries: int = 0
-    without_club: int = 0
-    counts: dict[str, Counter[str]] = field(default_factory=dict)
-    assumed: dict[str, str] = field(default_factory=dict)
-    unused: dict[str, None] = field(default_factory=dict)
-    remarks: dict[Note, None] = field(default_factory=dict)
-    unread: dict[str, None] = field(default_factory=dict)
-    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)
-    points: dict[str, str] = field(default_factory=dict)
-    units: dict[str, FileColumn] = field(default_factory=dict)
-    header_line: int | None = None
-    guessed_hand: bool = False
-    doubtful_number: str = ""
-    names_clubs: bool = False
-    names_players: bool = False
+    summaries: int = 0  # rows of averages and the like, which are left out
+    without_club: int = 0  # shots for which the file says that the club was not measured
+    counts: dict[str, Counter[str]] = field(default_factory=dict)  # of values in the columns that a note counts
+    assumed: dict[str, str] = field(default_factory=dict)  # headings whose unit was assumed, with the unit
+    unused: dict[str, None] = field(default_factory=dict)  # headings that words in brackets make those of nothing
+    remarks: dict[Note, None] = field(default_factory=dict)  # further ones on the columns
+    unread: dict[str, None] = field(default_factory=dict)  # headings of numbers that give no quantity
+    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)  # cells without number: how many, and one
+    points: dict[str, str] = field(default_factory=dict)  # where on the club data was taken, as columns say
+    units: dict[str, FileColumn] = field(default_factory=dict)  # the first column of each quantity
+    header_line: int | None = None  # where the first header stands
+    guessed_hand: bool = False  # whether club terms were read as a right-hander's because nothing names the hand
+    doubtful_number: str = ""  # one whose decimal mark may separate thousands, where nothing decides it
+    named: set[str] = field(default_factory=set)  # whether the file names the "club" and the "player" of shots
 
 
 class _Faults:
-    """The faults of some rows.
-
-    Attributes
-    ----------
-    reasons
-        Why a row gives no shot.
-    unreadable
-        Cells of computed quantities that hold no number, by heading and row.
-    """
+    """The faults of some rows: why they give no shot, and cells without number of computed quantities, by heading."""
 
     def __init__(self) -> None:
         self.reasons: dict[int, str] = {}
@@ -178,22 +117,8 @@ class _Faults:
 class SessionReader:
     """Reads the rows of a file of a known layout.
 
-    Parameters
-    ----------
-    path
-        The file, for errors.
-    layout
-        Its layout.
-    hand
-        +1 or -1 for every shot, or NaN where the file may say it.
-    units
-        Units of columns that name none, by quantity or dimension.
-    decimal_comma
-        How numbers are written.
-    sample
-        The first rows, whose cells may name the units of their columns.
-    is_foreign
-        Whether the cells of a row are a header that this layout cannot read.
+    ``hand`` is +1 or -1 for every shot, or NaN where the file may say it. The cells of the first rows, ``sample``, may
+    name units. ``is_foreign`` says whether the cells of a row are a header that the layout cannot read.
     """
 
     def __init__(
@@ -221,7 +146,7 @@ class SessionReader:
         headings = {"date": layout.date, "player": layout.player, "club": layout.club}
         self._keys = {squeezed(plain(each)): key for key, names in headings.items() for each in names}
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
-        self._player = self._club = self._date = ""
+        self._titles = {"club": "", "player": "", "date": ""}  # of the shots below, where no column has them
         self._above: Sequence[str] = ()
         self.session = Session()
 
@@ -243,7 +168,7 @@ class SessionReader:
                 columns
                 and len(cells) == columns.width
                 and (first := cells[columns.first].lstrip())[:1] in _NUMERIC
-                and (columns.club or not first[-1:].isalpha())
+                and (columns.texts["club"] or not first[-1:].isalpha())
             ):
                 self._block.append(cells)
                 self._lines.append(line)
@@ -297,9 +222,7 @@ class SessionReader:
                 self._take_date(cells)
             first = next((text for cell in cells if (text := cell.strip())), "")
             if self._title is not None and (title := self._title.fullmatch(first)):
-                self._end_block()
-                self._player = title[1]
-                self.session.names_players = True
+                self._take_title("player", title[1])
                 return
         if not self._header:
             return
@@ -325,8 +248,12 @@ class SessionReader:
     def _take_date(self, cells: Sequence[str]) -> None:
         """Take the date of a row above a table, where it has one, as that of the shots below."""
         if (date := date_among(cells)) is not None:
-            self._end_block()
-            self._date = date
+            self._take_title("date", date)
+
+    def _take_title(self, key: str, text: str) -> None:
+        self._end_block()
+        self._titles[key] = text
+        self.session.named.add(key)
 
     def _take_names(self, cells: Sequence[str]) -> bool:
         """Take club and player of a row above shots that names them: ``Club: Driver``, ``Player,Ann`` or ``7 Iron``.
@@ -354,20 +281,13 @@ class SessionReader:
 
     def _take_name(self, key: str, name: str) -> bool:
         """Take a club, player or date for the shots below; return whether it is one."""
-        columns = self._columns
-        has_column = columns is not None and bool(columns.club if key == "club" else columns.player is not None)
         if key == "date":
             self._take_date((name,))
-            return bool(self._date)
+            return bool(self._titles["date"])
+        has_column = self._columns is not None and bool(self._columns.texts[key or "club"])
         if not name or has_column or not (key == "player" or (key == "club" and club_kind(name))):
             return False
-        self._end_block()
-        if key == "player":
-            self._player = name
-        else:
-            self._club = name
-        self.session.names_players |= key == "player"
-        self.session.names_clubs |= key == "club"
+        self._take_title(key, name)
         return True
 
     def _is_header(self, cells: Sequence[str]) -> bool:
@@ -400,8 +320,7 @@ class SessionReader:
         session.assumed.update({each.heading: each.unit for each in every if each.is_assumed})
         session.unused.update(dict.fromkeys(columns.unused))
         session.remarks.update(dict.fromkeys(columns.remarks))
-        session.names_clubs |= bool(columns.club)
-        session.names_players |= columns.player is not None
+        session.named |= {key for key, places in columns.texts.items() if places}
 
     def _reject(self, line: int, reason: str) -> None:
         self.session.rejected.append(RejectedRow(line, reason))
@@ -443,34 +362,27 @@ class SessionReader:
             texts = self._texts(cells, place)
             shown = Counter(text for row in kept if (text := texts[row].strip()))
             session.counts.setdefault(self._header[place].strip(), Counter()).update(shown)
-        clubs = [
-            self._stripped(cells, place, "" if columns.club else self._club, kept) for place in columns.club or (None,)
-        ]
-        session.tables.append(
-            ShotBlock(
-                [lines[row] for row in kept],
-                {name: each[kept] for name, each in values.items()} if gone else values,
-                clubs[0] if len(clubs) == 1 else [next(filter(None, each), "") for each in zip(*clubs, strict=True)],
-                self._stripped(cells, columns.player, self._player, kept),
-                hands[kept],
-                self._stripped(cells, columns.date, self._date, kept),
-                self._stripped(cells, columns.file, "", kept),
-            )
-        )
+        texts = {key: self._names(cells, key, kept) for key in ("club", "player", "date", "file")}
+        values = {name: each[kept] for name, each in values.items()} if gone else values
+        session.tables.append(ShotBlock([lines[row] for row in kept], values, hands[kept], texts))
 
-    def _stripped(self, cells: Sequence[Any], place: int | None, otherwise: str, kept: Sequence[int]) -> list[str]:
-        """Return the texts of a column in some rows, or the same for all where there is no column."""
-        if place is None:
-            return [otherwise] * len(kept)
-        texts = [*map(str.strip, self._texts(cells, place))]
-        return texts if len(kept) == len(texts) else [texts[row] for row in kept]
+    def _names(self, cells: Sequence[Any], key: str, kept: Sequence[int]) -> list[str]:
+        """Return the texts of a kind in some rows, or the same for all where there is no column."""
+        assert self._columns is not None
+        places = self._columns.texts[key]
+        if not places:
+            return [self._titles.get(key, "")] * len(kept)
+        texts, *others = ([*map(str.strip, self._texts(cells, place))] for place in places)
+        for other in others:
+            texts = [one or another for one, another in zip(texts, other, strict=True)]
+        return [texts[row] for row in kept]
 
     def _hands(self, cells: Sequence[Any], count: int, faults: _Faults) -> Floats:
         assert self._columns is not None
-        place = self._columns.hand
         hands = np.full(count, self._hand)
-        if self._hand == self._hand or place is None:
+        if not np.isnan(self._hand) or not self._columns.texts["hand"]:
             return hands
+        (place,) = self._columns.texts["hand"]
         known: dict[str, float] = {}
         for row, cell in enumerate(self._texts(cells, place)):
             try:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from io import BytesIO
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -26,7 +27,7 @@ from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
-from clubface.shots.tables.headings import HAND, ColumnLayout, FileColumn
+from clubface.shots.tables.headings import HAND, ColumnLayout
 from clubface.shots.tables.parquet import ParquetForm
 from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_parquet
 from clubface.simulation.flight import Air, check_conditions, conditions, fly
@@ -67,38 +68,29 @@ SHOWN = 20
 
 def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
     """Return the columns to write: quantity and unit by heading."""
-    result = dict(LAUNCH_COLUMNS)
-    if carry:
-        result |= FLIGHT_COLUMNS
-    if model_named(model).kind == "contact":
-        result |= CONTACT_COLUMNS
-    return result
+    is_contact = model_named(model).kind == "contact"
+    return LAUNCH_COLUMNS | (FLIGHT_COLUMNS if carry else {}) | (CONTACT_COLUMNS if is_contact else {})
 
 
+@dataclass(frozen=True, kw_only=True)
 class PredictionTask:
     """From a chunk of a file to the columns of its launches."""
 
-    def __init__(
-        self,
-        shot: dict[str, Any],
-        flight: dict[str, Any] | None,
-        hand: float,
-        columns: ColumnLayout,
-        results: Mapping[str, tuple[str, str]],
-        provenance: Mapping[str, Any],
-        content: str = "",
-    ) -> None:
-        self.content = content
-        self.shot = shot
-        self.provenance = provenance
-        self.flight = flight
-        self.hand = hand
-        self.columns = columns
-        self.results = results
+    shot: dict[str, Any]  # arguments of impact
+    flight: dict[str, Any] | None  # those of fly, None for no flights
+    hand: float
+    columns: ColumnLayout
+    results: Mapping[str, tuple[str, str]]  # quantity and unit of each column to write
+    provenance: Mapping[str, Any]
+    content: str = ""  # of recorded shots
+
+    @cached_property
+    def headings(self) -> tuple[str, ...]:
+        """The headings of the columns to write, with a prefix where the file has one of them already."""
         prefix = ""
-        while any(prefix + heading in columns.headings for heading in results):
+        while any(prefix + heading in self.columns.headings for heading in self.results):
             prefix += PREFIX
-        self.headings = tuple(prefix + heading for heading in results)
+        return tuple(prefix + heading for heading in self.results)
 
     def content_of(self, source: Path) -> dict[str, Any]:
         """Return what a run depends on, by the names that its errors use."""
@@ -163,24 +155,12 @@ class PredictionTask:
 
 
 class PredictionOutcome(NamedTuple):
-    """The outcome of a run.
+    """The outcome of a run."""
 
-    Attributes
-    ----------
-    counts
-        Rows read, written and rejected, by earlier runs as well.
-    first_rejects
-        Line and reason of the first rejects.
-    tally
-        Of shots outside the range of the model.
-    resumed
-        Rows done by earlier runs.
-    """
-
-    counts: Mapping[str, int]
-    first_rejects: tuple[tuple[int, str], ...]
-    tally: Tally
-    resumed: int
+    counts: Mapping[str, int]  # rows read, written and rejected, by earlier runs as well
+    first_rejects: tuple[tuple[int, str], ...]  # their lines and reasons
+    tally: Tally  # of shots outside the range of the model
+    resumed: int  # rows done by earlier runs
 
 
 def run(
@@ -193,8 +173,13 @@ def run(
 ) -> PredictionOutcome:
     """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
     source, target, rejects_path = paths
-    form = _form(target, opened, task)
-    rejects_form = RejectsForm(task.columns.headings, opened.delimiter, opened.counts)
+    table, headings = opened.table, task.columns.headings
+    form: OutputFormat = (
+        ParquetForm(target, headings, table.types, task.headings, task.provenance)
+        if is_parquet(target)
+        else CsvForm([*headings, *task.headings], table.delimiter, table.decimal_comma)
+    )
+    rejects_form = RejectsForm(headings, table.delimiter, table.counts)
     folder = unfinished_folder(target, [source, rejects_path])
     with Store(folder, task.content_of(source), output=target, resume=resume) as store:
         names = _kept(store, target.suffix)
@@ -205,27 +190,31 @@ def run(
                 names.append(name := f"{done:012d}+{read}")
                 if _pieces(store, name, target.suffix) is None:
                     rows, results, rejects, tally = task.compute(chunk)
-                    with BytesIO() as file:
-                        form.piece(file, chunk, rows, results)
-                        sums = [store.keep_part(name + target.suffix, file.getvalue())]
+                    form.piece(piece := BytesIO(), chunk, rows, results)
+                    sums = [store.keep_part(name + target.suffix, piece.getvalue())]
                     if rejects:
-                        with BytesIO() as file:
-                            rejects_form.piece(file, rejects)
-                            sums.append(store.keep_part(name + REJECTS, file.getvalue()))
-                    counts = {"rows": read, "written": read - len(rejects), "rejected": len(rejects)}
-                    shown = [(each.line, each.reason) for each in rejects[:SHOWN]]
-                    record = {"first": done, **counts, "shown": shown, "outside": tally.counts(), "sums": sums}
-                    store.keep(name, record)
+                        rejects_form.piece(piece := BytesIO(), rejects)
+                        sums.append(store.keep_part(name + REJECTS, piece.getvalue()))
+                    store.keep(name, {
+                        "first": done, "rows": read, "written": read - len(rejects), "rejected": len(rejects),
+                        "shown": [(each.line, each.reason) for each in rejects[:SHOWN]], "outside": tally.counts(),
+                        "sums": sums,
+                    })  # fmt: skip
                 done += read
                 if progress is not None:
-                    progress(opened.progress(), done)
+                    progress(table.progress(), done)
         except KeyboardInterrupt:
             message = f"interrupted: {done} rows are done and kept in {folder}; the same command goes on after them"
             raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
         if not done:
-            raise FileError(opened.path, opened.header_line, "there is no delivery below the names of the columns")
-        outcome = _outcome([store[name] for name in names], resumed)
-        if outcome.counts["rejected"]:
+            raise FileError(table.path, table.header_line, "there is no delivery below the names of the columns")
+        chunks = [store[name] for name in names]
+        counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
+        shown = [tuple(each) for chunk in chunks for each in chunk["shown"]]
+        tally = Tally()
+        for chunk in chunks:
+            tally.add_counts(chunk["outside"])
+        if counts["rejected"]:
             store.write_result(
                 rejects_path, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
             )
@@ -234,7 +223,7 @@ def run(
             rejects_path.unlink(missing_ok=True)
         store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
         store.remove()
-    return outcome
+    return PredictionOutcome(counts, tuple(shown[:SHOWN]), tally, resumed)
 
 
 def _kept(store: Store, ending: str) -> list[str]:
@@ -264,23 +253,6 @@ def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -
             if result is None:
                 raise FileError(str(store.folder), None, PARTS_MISSING)
             yield result[place]
-
-
-def _outcome(chunks: Sequence[Mapping[str, Any]], resumed: int) -> PredictionOutcome:
-    """Return what all chunks come to."""
-    tally, shown = Tally(), [tuple(each) for chunk in chunks for each in chunk["shown"]]
-    for chunk in chunks:
-        tally.add_counts(chunk["outside"])
-    counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
-    return PredictionOutcome(counts, tuple(shown[:SHOWN]), tally, resumed)
-
-
-def _form(target: Path, opened: Source, task: PredictionTask) -> OutputFormat:
-    """Return how the output is written."""
-    headings = task.columns.headings
-    if not is_parquet(target):
-        return CsvForm([*headings, *task.headings], opened.delimiter, opened.decimal_comma)
-    return ParquetForm(target, headings, opened.types(), task.headings, task.provenance)
 
 
 CHUNK_ROWS = 16384
@@ -506,41 +478,33 @@ def predict(
         reading={"format": format, "mapping": mapping, "units": units},
         choice={"only": only, "where": where, "assume": assume, "mismatch": mismatch},
     )  # fmt: skip
-    columns = opened.columns
     try:
-        used = columns._replace(used=opened.used)
-        task = PredictionTask(shot, flight, side, used, results_of(model, carry), provenance, opened.content)
+        task = PredictionTask(
+            shot=shot, flight=flight, hand=side, columns=opened.columns._replace(used=opened.used),
+            results=results_of(model, carry), provenance=provenance, content=opened.content,
+        )  # fmt: skip
         outcome = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
     finally:
-        opened.close()
+        opened.table.close()
     loft = f"{equipment.club.name} {show(equipment.club.loft, 'deg', 4)}"
     loft_given = any(each.quantity == "loft" for each in opened.used)
-    rows, written, rejected = outcome.counts["rows"], outcome.counts["written"], outcome.counts["rejected"]
+    used = {each.quantity: each for each in (*opened.used, *opened.columns.used)}.values()
     return PredictReport(
         source=str(path),
         output=str(target),
-        rejects=str(rejects_path) if rejected else None,
-        rows=rows,
-        written=written,
-        rejected=rejected,
-        blank=opened.blank(),
-        used={
-            each.heading: (each.quantity, each.unit)
-            for each in {**_by_quantity(opened.used), **_by_quantity(columns.used)}.values()
-        },
-        passed=columns.passed,
+        rejects=str(rejects_path) if outcome.counts["rejected"] else None,
+        **outcome.counts,
+        blank=opened.table.blank,
+        used={each.heading: (each.quantity, each.unit) for each in used},
+        passed=opened.columns.passed,
         added=task.headings,
-        notes=(*opened.notes(), *free_text([remark] if (remark := outcome.tally.remark()) else [])),
+        notes=(*opened.notes, *free_text([remark] if (remark := outcome.tally.remark()) else [])),
         first_rejects=outcome.first_rejects,
         resumed=outcome.resumed,
         provenance=provenance,
         hand=SIDES[side],
         assumptions=(*(() if loft_given else (note("static-loft", clubs=[loft]),)), *variant_caveats(chosen)),
     )
-
-
-def _by_quantity(columns: Iterable[FileColumn]) -> dict[str, FileColumn]:
-    return {each.quantity: each for each in columns}
 
 
 def _check_paths(source: Path, target: Path, rejects_path: Path) -> None:

@@ -8,10 +8,11 @@ passed through as they stand, and of a monitor's file as ``clubface monitor read
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -41,50 +42,20 @@ from clubface.support.fingerprint import fingerprint
 __all__ = ["Source", "open_source"]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Source:
-    """Where deliveries come from.
+class Source(NamedTuple):
+    """Where deliveries come from."""
 
-    Attributes
-    ----------
-    path, header_line, counts
-        The file, the line of its headings, and what a place in it is counted in: "line" or "row".
-    delimiter, decimal_comma
-        How its cells and numbers are written.
-    columns
-        What its columns mean.
-    used
-        The columns that give inputs: those of the file, or the deliveries that were made ready.
-    content
-        A text that is the same only for the same deliveries, or "" for a plain table.
-    types
-        Arrow types of the columns; None for text.
-    chunks
-        Yields the rows after the first so many, some at a time.
-    notes
-        Returns what is to be known of the file, as far as it is read.
-    progress
-        Returns which part of the file has been read, 0 to 1.
-    blank
-        Returns how many blank lines were passed over.
-    close
-        Closes the file.
-    """
+    table: Reader | MonitorTable  # whose rows are passed through
+    columns: ColumnLayout  # what its columns mean
+    used: tuple[FileColumn, ...]  # those that give inputs, or the deliveries that were made ready
+    chunks: Callable[[int, int], Iterator[Chunk]]  # yields the rows after the first so many, some at a time
+    content: str = ""  # a text that is the same only for the same recorded shots; "" for a plain table
+    remarks: tuple[Note, ...] = ()  # on recorded shots
 
-    path: str
-    header_line: int | None = None
-    counts: str = "line"
-    delimiter: str = ","
-    decimal_comma: bool = False
-    columns: ColumnLayout
-    used: tuple[FileColumn, ...]
-    content: str = ""
-    types: Callable[[], Sequence[Any]]
-    chunks: Callable[[int, int], Iterator[Chunk]]
-    notes: Callable[[], tuple[Note, ...]]
-    progress: Callable[[], float]
-    blank: Callable[[], int] = field(default=lambda: 0)
-    close: Callable[[], None] = field(default=lambda: None)
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of the file, as far as it is read."""
+        return self.remarks if self.content else (*self.table.notes, *self.columns.notes)
 
 
 def open_source(
@@ -106,7 +77,11 @@ def open_source(
     units = check_units(reading["units"] or {})
     if reading["format"] or reading["mapping"] or not is_plain_table(path):
         recorded = read(path, hand=hand, **reading)
-        return _monitor_source(path, recorded, ready_shots(recorded, club=club, **choice))
+        ready = ready_shots(recorded, club=club, **choice)
+        table = MonitorTable(path, recorded, ready)
+        return Source(
+            table, table.columns, chunks=table.chunks, **_ready_fields(table.path, table.columns, recorded, ready)
+        )
     reader = open_table(path)
     try:
         place = (reader.path, reader.header_line)
@@ -115,96 +90,105 @@ def open_source(
         if is_recorded or not telling.isdisjoint(map(plain_name, reader.headings)):
             recorded = read(path, units=units)
             columns = layout(reader.headings, *place, given_units=units)
-            return _table_source(reader, columns, recorded, ready_shots(recorded, club=club, **choice))
+            ready = ready_shots(recorded, club=club, **choice)
+            fields = _ready_fields(reader.path, columns, recorded, ready)
+            return Source(reader, columns, chunks=partial(_ready_rows, reader, recorded, ready), **fields)
         columns = layout(reader.headings, *place, given_units=units)
         require_speed(columns, *place)
-        notes = lambda: (*reader.notes, *columns.notes)  # noqa: E731 - those of numbers come as they are read
-        return _source_of(reader, columns=columns, used=columns.used, chunks=reader.chunks, notes=notes)
+        return Source(reader, columns, columns.used, reader.chunks)
     except BaseException:
         reader.close()
         raise
 
 
-def _source_of(reader: Reader, **fields: Any) -> Source:
-    """Return the source of a table that is read as it goes."""
-    return Source(
-        path=reader.path, header_line=reader.header_line, counts=reader.counts, delimiter=reader.delimiter,
-        decimal_comma=reader.decimal_comma, types=lambda: reader.types, progress=reader.progress,
-        blank=lambda: reader.blank, close=reader.close, **fields,
-    )  # fmt: skip
+class MonitorTable:
+    """Recorded shots that are ready, as a table with the columns of ``clubface monitor read``; see ``CsvReader``."""
 
+    counts, delimiter, decimal_comma = "line", ",", False
+    header_line: int | None = None
+    blank = 0
+    notes: tuple[Note, ...] = ()
 
-def _monitor_source(path: Path, recorded: RecordedShots, ready: ReadyShots) -> Source:
-    """Return recorded shots as a source whose columns are those of ``clubface monitor read``."""
-    shots = recorded.select(ready.places)
-    columns = {name: np.asarray(each) for name, each in shots.columns().items()}
-    headings = {name: each for name, each in shots.headings().items() if name in inputs()}
-    headings |= {HAND: (HAND, "1")} if HAND in columns else {}
-    named = {heading: (quantity, unit) for quantity, (heading, unit) in headings.items()}
-    used = tuple(FileColumn(place, each, *named[each]) for place, each in enumerate(columns) if each in named)
-    meant = ColumnLayout(tuple(columns), used, tuple(each for each in columns if each not in named), ())
-    deliveries, fields = _ready_fields(str(path), meant, recorded, ready)
-    lines = shots.rows
-    rejected = [Reject(each.line or 0, each.reason, [""] * len(columns)) for each in recorded.rejected]
-    order = sorted([*((int(line), place) for place, line in enumerate(lines)),
-                    *((each.line, place - len(rejected)) for place, each in enumerate(rejected))])  # fmt: skip
-    done = 0
+    def __init__(self, path: Path, recorded: RecordedShots, ready: ReadyShots) -> None:
+        shots = recorded.select(ready.places)
+        self.path, self._lines = str(path), shots.rows
+        self._cells = {name: np.asarray(each) for name, each in shots.columns().items()}
+        self._deliveries = _measured(ready)
+        named = {heading: (name, unit) for name, (heading, unit) in shots.headings().items() if name in inputs()}
+        named |= {HAND: (HAND, "1")} if HAND in self._cells else {}
+        used = tuple(FileColumn(at, each, *named[each]) for at, each in enumerate(self._cells) if each in named)
+        passed = tuple(each for each in self._cells if each not in named)
+        self.columns = ColumnLayout(tuple(self._cells), used, passed, ())
+        empty = [""] * len(self._cells)
+        self._rejected = [Reject(each.line or 0, each.reason, empty) for each in recorded.rejected]
+        count = len(self._rejected)
+        order = [*((int(line), place) for place, line in enumerate(self._lines)),
+                 *((each.line, place - count) for place, each in enumerate(self._rejected))]  # fmt: skip
+        self._order = [place for _, place in sorted(order)]
+        self._done = 0
 
-    def chunks(rows: int, skip: int) -> Iterator[Chunk]:
-        nonlocal done
-        for first in range(skip, len(order), rows):
-            part = [place for _, place in order[first : first + rows]]
+    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
+        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        for first in range(skip, len(self._order), rows):
+            part = self._order[first : first + rows]
             kept = [place for place in part if place >= 0]
-            done = first + len(part)
+            self._done = first + len(part)
             yield Chunk(
-                lines[kept].tolist(), [each[kept] for each in columns.values()],
-                [rejected[place] for place in part if place < 0],
-                deliveries={name: each[kept] for name, each in deliveries.items()},
+                self._lines[kept].tolist(), [each[kept] for each in self._cells.values()],
+                [self._rejected[place] for place in part if place < 0],
+                deliveries={name: each[kept] for name, each in self._deliveries.items()},
             )  # fmt: skip
 
-    def types() -> list[Any]:
+    def progress(self) -> float:
+        """Return which part of the rows has been read, 0 to 1."""
+        return self._done / max(len(self._order), 1)
+
+    @property
+    def types(self) -> list[Any]:
+        """The Arrow types of the columns."""
         import pyarrow
 
-        return [pyarrow.float64() if each.dtype.kind == "f" else pyarrow.string() for each in columns.values()]
+        return [pyarrow.float64() if each.dtype.kind == "f" else pyarrow.string() for each in self._cells.values()]
 
-    return Source(path=str(path), types=types, chunks=chunks, progress=lambda: done / max(len(order), 1), **fields)
+    def close(self) -> None:
+        """Nothing is open."""
 
 
-def _table_source(reader: Reader, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots) -> Source:
-    """Return the rows of a table as they stand, with the deliveries of the recorded shots that were read from it."""
-    deliveries, fields = _ready_fields(reader.path, columns, recorded, ready)
+def _ready_rows(reader: Reader, recorded: RecordedShots, ready: ReadyShots, rows: int, skip: int) -> Iterator[Chunk]:
+    """Yield the rows of a table as they stand, with the deliveries of the recorded shots that were read from it."""
+    deliveries = _measured(ready)
     places = {line: place for place, line in enumerate(ready.rows.tolist())}
     reasons = {each.line: each.reason for each in recorded.rejected}
-
-    def chunks(rows: int, skip: int) -> Iterator[Chunk]:
-        for base in reader.chunks(rows, 0):
-            bad = [row for row, line in enumerate(base.lines) if line in reasons]
-            lost = [base.lines[row] for row in bad]
-            rejects = [Reject(at, reasons[at], cells) for at, cells in zip(lost, base.texts(bad), strict=True)]
-            ragged = sorted([*base.ragged, *rejects], key=lambda each: each.line)
-            kept = [row for row, line in enumerate(base.lines) if line in places]
-            passed = sorted([*(base.lines[row] for row in kept), *(each.line for each in ragged)])[:skip]
-            skip -= len(passed)
-            last = passed[-1] if passed else -1
-            kept = [row for row in kept if base.lines[row] > last]
-            ragged = [each for each in ragged if each.line > last]
-            if kept or ragged:
-                at = [places[base.lines[row]] for row in kept]
-                ready_deliveries = {name: each[at] for name, each in deliveries.items()}
-                yield replace(base.select(kept), ragged=ragged, deliveries=ready_deliveries)
-
-    return _source_of(reader, chunks=chunks, **fields)
+    for base in reader.chunks(rows, 0):
+        bad = [row for row, line in enumerate(base.lines) if line in reasons]
+        lost = [base.lines[row] for row in bad]
+        rejects = [Reject(at, reasons[at], cells) for at, cells in zip(lost, base.texts(bad), strict=True)]
+        ragged = sorted([*base.ragged, *rejects], key=lambda each: each.line)
+        kept = [row for row, line in enumerate(base.lines) if line in places]
+        passed = sorted([*(base.lines[row] for row in kept), *(each.line for each in ragged)])[:skip]
+        skip -= len(passed)
+        last = passed[-1] if passed else -1
+        kept = [row for row in kept if base.lines[row] > last]
+        ragged = [each for each in ragged if each.line > last]
+        if kept or ragged:
+            at = [places[base.lines[row]] for row in kept]
+            ready_deliveries = {name: each[at] for name, each in deliveries.items()}
+            yield replace(base.select(kept), ragged=ragged, deliveries=ready_deliveries)
 
 
-def _ready_fields(
-    path: str, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots
-) -> tuple[dict[str, Floats], dict[str, Any]]:
-    """Return the deliveries of shots that are ready [SI], and what a source says of them."""
-    deliveries = {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
+def _measured(ready: ReadyShots) -> dict[str, Floats]:
+    """Return the deliveries that were measured or stated for some shot [SI]."""
+    return {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
+
+
+def _ready_fields(path: str, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots) -> dict[str, Any]:
+    """Return what a source says of shots that are ready."""
+    deliveries = _measured(ready)
     if "speed" not in deliveries:
         raise FileError(path, None, "the clubhead speed was measured for no shot", "speed")
     headings = {each.quantity: each.heading for each in columns.used}
-    used = tuple(FileColumn(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries)
-    notes = (*ready.notes, *assumptions(ready.club, deliveries))
-    content = fingerprint([ready.rows, deliveries, [tuple(each) for each in recorded.rejected]])
-    return deliveries, {"columns": columns, "used": used, "notes": lambda: notes, "content": content}
+    return {
+        "used": tuple(FileColumn(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries),
+        "remarks": (*ready.notes, *assumptions(ready.club, deliveries)),
+        "content": fingerprint([ready.rows, deliveries, [tuple(each) for each in recorded.rejected]]),
+    }

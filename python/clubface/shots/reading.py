@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import chain, islice, zip_longest
@@ -16,11 +16,7 @@ from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, UnknownNameError, shortened
 from clubface.results.notes import Note, note
 from clubface.shots.columns import is_units_row
-from clubface.shots.formats import (
-    Format,
-    Mapped,
-    mapping_of,
-)
+from clubface.shots.formats import Format, Mapped, mapping_of
 from clubface.shots.monitor_file import Session, SessionReader
 from clubface.shots.monitors import FORMATS, TABLE
 from clubface.shots.plausibility import (
@@ -31,7 +27,7 @@ from clubface.shots.plausibility import (
     without_sentinels,
     wrong_unit,
 )
-from clubface.shots.recorded import MEASURED_AT, SIDES, RecordedShots, RejectedRow, iso_dates, join_sessions
+from clubface.shots.recorded import MEASURED_AT, SIDES, TEXTS, RecordedShots, RejectedRow, iso_dates, join_sessions
 from clubface.shots.signs import suspected_signs
 from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
 from clubface.shots.tables.chunk import Reject
@@ -56,37 +52,23 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
     """
     rows = [row for row in head if not isinstance(row, Reject)]
     if not rows:
-        reason = next((row for row in head if isinstance(row, Reject)), None)
-        if reason is not None:
-            raise FileError(path, reason.line, reason.reason)
-        raise FileError(path, 1, "the file is empty")
-    known: dict[str, int] = {}
+        raise _no_header(path, head)
     for cells, _, _ in rows:
-        names = {heading(each).name for each in cells}
-        for each in FORMATS.values():
-            if each.is_marked(names):
-                known.setdefault(each.name, len(names & set(each.own_names)))
+        known = {name: _known(each, cells) for name, each in FORMATS.items() if _marked(each, [cells])}
         if known:
-            break
-    if known:
-        best = max(known.values())
-        fitting = [name for name, count in known.items() if count == best]
-        if len(fitting) > 1:
-            message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
-            raise FileError(path, None, message)
-        return FORMATS[fitting[0]]
+            fitting = [name for name, count in known.items() if count == max(known.values())]
+            if len(fitting) > 1:
+                message = f"this may be a file of {' or '.join(fitting)}; give the format, such as {fitting[0]}"
+                raise FileError(path, None, message)
+            return FORMATS[fitting[0]]
     if any(TABLE.is_header(cells) and TELLING & _quantities(TABLE, cells) for cells, _, _ in rows):
         return TABLE
-    widest = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
-    counts = {name: _known(each, widest[0]) for name, each in FORMATS.items()}
+    widest, line, _ = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
+    counts = {name: _known(each, widest) for name, each in FORMATS.items()}
     alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
-    message = (
-        f"the layout is none of {', '.join(FORMATS)}; {listed([each.strip() for each in widest[0]])}. "
-        "Name the columns in a mapping file"
-    )
-    if alike:
-        message += f", or the format whose columns they are, perhaps {' or '.join(alike)}"
-    raise FileError(path, widest[1], message)
+    advice = f", or the format whose columns they are, perhaps {' or '.join(alike)}" if alike else ""
+    raise FileError(path, line, f"the layout is none of {', '.join(FORMATS)}; {listed([*map(str.strip, widest)])}. "
+                                f"Name the columns in a mapping file{advice}")  # fmt: skip
 
 
 def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
@@ -96,21 +78,11 @@ def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
     by the layout.
     """
     rows = [row[0] for row in head if not isinstance(row, Reject)]
-    if not rows or _marked(layout, rows):
-        return layout
-    header = max(rows, key=lambda cells: _known(layout, cells))
-    if _known(layout, header) < FEWEST_KNOWN:
+    header = max(rows, key=lambda cells: _known(layout, cells), default=())
+    if _marked(layout, rows) or _known(layout, header) < FEWEST_KNOWN:
         return layout
     columns = tuple(name for each in header if (name := heading(each).name) in layout.names)
     return replace(layout, marks=(*layout.marks, columns))
-
-
-def others(layout: Format, head: Sequence[Row | Reject]) -> list[str]:
-    """Return the names of the layouts whose header is among the first rows if that of ``layout`` is not."""
-    rows = [row[0] for row in head if not isinstance(row, Reject)]
-    if layout.name in FORMATS and _marked(FORMATS[layout.name], rows):
-        return []
-    return [name for name, each in FORMATS.items() if _marked(each, rows)]
 
 
 def is_foreign(layout: Format, cells: Sequence[str]) -> bool:
@@ -233,11 +205,18 @@ def _read(
 ) -> RecordedShots:
     """Return the shots of a file as they stand in it, without what no shot can have."""
     _refuse_no_table(path)
+    sign = float("nan") if hand is None else float(HANDS[hand])
     if path.suffix.lower() in PARQUET and mapped is None:
-        return _shots(_parquet_session(path, hand, units), str(path), TABLE)
+        table = ParquetReader(path)
+        try:
+            reader = SessionReader(str(path), TABLE, sign, units, decimal_comma=False)
+            session = reader.read_columns(table.headings, table.column_parts(PARQUET_ROWS))
+        finally:
+            table.close()
+        return _shots(session, str(path), TABLE)
     rows = open_rows(path, head_lines=HEAD_ROWS, delimiter=mapped.delimiter if mapped else None)
     try:
-        every = _rows(rows)
+        every = iter(rows.next, None)
         head = list(islice(every, HEAD_ROWS))
         if mapped:
             layout = mapped.layout
@@ -245,22 +224,15 @@ def _read(
             layout = TABLE if format == TABLE.name else asked_for(FORMATS[format], head)
         else:
             layout = detected(str(path), head)
-        session = _session(str(path), layout, mapped, hand, units, head, every, rows.delimiter)
+        session = _session(rows, layout, mapped, sign, units, chain(head, every))
     finally:
         rows.close()
     shots = _shots(session, str(path), layout, rows.notes)
-    if format is not None and (other := others(layout, head)):
-        shots = replace(shots, notes=(note("read-as-asked", format=format, formats=other), *shots.notes))
+    names = [row[0] for row in head if not isinstance(row, Reject)]
+    others = [name for name, each in FORMATS.items() if format is not None and _marked(each, names)]
+    if others and format not in others:
+        return replace(shots, notes=(note("read-as-asked", format=format, formats=others), *shots.notes))
     return shots
-
-
-def _parquet_session(path: Path, hand: str | None, units: Mapping[str, str]) -> Session:
-    reader = ParquetReader(path)
-    try:
-        session = SessionReader(str(path), TABLE, _side(hand), units, decimal_comma=False)
-        return session.read_columns(reader.headings, reader.column_parts(PARQUET_ROWS))
-    finally:
-        reader.close()
 
 
 def is_plain_table(path: str | os.PathLike[str]) -> bool:
@@ -271,7 +243,7 @@ def is_plain_table(path: str | os.PathLike[str]) -> bool:
         return True
     rows = open_rows(source, head_lines=HEAD_ROWS)
     try:
-        head = [each for each in islice(_rows(rows), HEAD_ROWS) if not isinstance(each, Reject)]
+        head = [each for each in islice(iter(rows.next, None), HEAD_ROWS) if not isinstance(each, Reject)]
         if detected(str(path), head) is not TABLE:
             return False
         return TABLE.is_header(head[0][0]) and not (len(head) > 1 and is_units_row(head[1][0]))
@@ -283,32 +255,25 @@ def is_plain_table(path: str | os.PathLike[str]) -> bool:
 
 def _refuse_no_table(path: Path) -> None:
     """Say of files that people have, and that are no tables, what to do with them."""
-    ending = path.suffix.lower()
-    if ending == ".c3d":
+    if path.suffix.lower() == ".c3d":
         raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
 
 
-def _rows(rows: RowSource) -> Iterator[Row | Reject]:
-    return iter(rows.next, None)
-
-
 def _session(
-    path: str,
+    rows: RowSource,
     layout: Format,
     mapped: Mapped | None,
-    hand: str | None,
+    sign: float,
     units: Mapping[str, str],
-    head: Sequence[Row | Reject],
-    rest: Iterable[Row | Reject],
-    delimiter: str,
+    every: Iterator[Row | Reject],
 ) -> Session:
-    sample = [*head, *islice(rest, DECIMAL_ROWS - len(head))]
-    decimals = decimals_of(_cells_with_quantities(layout, sample), delimiter)
+    """Return the contents of a file whose layout is known, once it is decided how its numbers are written."""
+    path, sample = rows.path, list(islice(every, DECIMAL_ROWS))
+    decimals = decimals_of(_cells_with_quantities(layout, sample), rows.delimiter)
     if mapped and mapped.decimal_comma is not None:
         decimals = Decimals(mapped.decimal_comma)
-    is_other = partial(is_foreign, layout)
-    reader = SessionReader(path, layout, _side(hand), units, decimals.comma, sample, is_other)
-    session = reader.read(chain(sample, rest))
+    reader = SessionReader(path, layout, sign, units, decimals.comma, sample, partial(is_foreign, layout))
+    session = reader.read(chain(sample, every))
     session.doubtful_number = decimals.doubtful
     if not reader.has_header:
         first = next((row for row in sample if not isinstance(row, Reject)), None)
@@ -335,10 +300,6 @@ def _cells_with_quantities(layout: Format, rows: Sequence[Row | Reject]) -> Iter
         yield from zip_longest(cells, quantities[: len(cells)])
 
 
-def _side(hand: str | None) -> float:
-    return float(HANDS[hand]) if hand is not None else float("nan")
-
-
 def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
     """Return the error on a file without a row that can be read."""
     reject = next((row for row in rows if isinstance(row, Reject)), None)
@@ -360,38 +321,39 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] 
     columns = {name: values for name, values in columns.items() if not np.isnan(values).all()}
     if (wrong := wrong_unit(without_any_sentinels(columns, session.units), session.units)) is not None:
         raise FileError(path, session.header_line, wrong)
-    clubs, players = (
-        np.array([text for each in tables for text in getattr(each, name)], dtype=object) if has else None
-        for name, has in (("clubs", session.names_clubs), ("players", session.names_players))
-    )
-    written, files = ([text for each in tables for text in getattr(each, name)] for name in ("dates", "files"))
-    dates, date_note = iso_dates(written)
-    agreeing, contradiction = without_contradictions(columns, clubs, lines)
+    texts = {key: [text for each in tables for text in each.texts[key]] for key in tables[0].texts}
+    texts["date"], date_note = iso_dates(texts["date"])
+    known: dict[str, Any] = {
+        name: np.array(texts[key], dtype=object)
+        for name, key in TEXTS.items()
+        if key in texts and (any(texts[key]) if key in ("date", "file") else key in session.named)
+    }
+    hands = np.concatenate([each.hands for each in tables])
+    if not np.isnan(hands).any():
+        known["hand"] = np.array([SIDES[each] for each in hands], dtype=object)
+    agreeing, contradiction = without_contradictions(columns, known.get("clubs"), lines)
     cleaned = without_impossible(agreeing)
-    notes = [
-        *_notes(session, layout, set(columns), len(lines), of_file),
-        *sentinels,
-        *filter(None, (turned,)),
-        *cleaned.notes,
-    ]
+    notes = (*_notes(session, layout, set(columns), len(lines), of_file), *sentinels, turned, *cleaned.notes,
+             contradiction, date_note)  # fmt: skip
     every = RecordedShots(
         deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
         launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
-        clubs=clubs,
-        players=players,
-        hand=_hands(np.concatenate([each.hands for each in tables])),
-        dates=np.array(dates, dtype=object) if any(dates) else None,
-        files=np.array(files, dtype=object) if any(files) else None,
+        **known,
         rows=np.array(lines, dtype=np.int64),
         source=path,
         format=layout.name,
         rejected=rejected,
-        notes=(*notes, *(each for each in (contradiction, date_note) if each)),
+        notes=tuple(each for each in notes if each is not None),
         speed_at=session.points.get("speed_at", layout.speed_at),
         face_at=session.points.get("face_at", layout.face_at),
     )
     emptied = np.all([np.ones(len(lines), bool), *(np.isnan(each) for each in cleaned.columns.values())], axis=0)
-    return without_emptied(every, emptied)
+    if not emptied.any():
+        return every
+    lost = [RejectedRow(lines[row], "nothing was measured that a shot can have") for row in np.flatnonzero(emptied)]
+    rejected = tuple(sorted((*rejected, *lost), key=lambda each: each.line or 0))
+    refuse_empty(path, len(lines) - len(lost), rejected)
+    return replace(every.select(~emptied), rejected=rejected)
 
 
 def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> None:
@@ -401,20 +363,6 @@ def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> No
         reasons = "; ".join(f"{unit_of} {each.line}: {each.reason}" for each in rejected[:SHOWN])
         more = f" (and {len(rejected) - SHOWN} more)" if len(rejected) > SHOWN else ""
         raise FileError(path, None, f"not one shot can be used: {reasons}{more}" if rejected else "there are no shots")
-
-
-def without_emptied(shots: RecordedShots, emptied: Any) -> RecordedShots:
-    """Reject shots of which nothing is left without the values that cannot be."""
-    if not emptied.any():
-        return shots
-    lost = [RejectedRow(int(row), "nothing was measured that a shot can have") for row in shots.rows[emptied]]
-    rejected = tuple(sorted((*shots.rejected, *lost), key=lambda each: each.line or 0))
-    refuse_empty(shots.source, len(shots) - len(lost), rejected)
-    return replace(shots.select(~emptied), rejected=rejected)
-
-
-def _hands(hands: Any) -> Any:
-    return None if np.isnan(hands).any() else np.array([SIDES[each] for each in hands], dtype=object)
 
 
 def _notes(session: Session, layout: Format, measured: set[str], shots: int, of_file: Sequence[Note]) -> Iterator[Note]:

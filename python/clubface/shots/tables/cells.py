@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "LARGE", "NUMBER", "PLAIN", "CellError", "Decimals", "all_numbers", "cell_text", "decimals_of", "doubt", "hand_of",
-    "is_missing",
-    "is_number", "may_be_thousands", "number", "parsed", "quoted_cell", "ragged_reason", "reading", "unit_in",
+    "is_missing", "is_number", "may_be_thousands", "number", "parsed", "quoted_cell", "ragged_reason", "reading",
+    "unit_in",
 ]  # fmt: skip
 
 
@@ -67,18 +67,10 @@ def is_number(text: str) -> bool:
 
 
 class Decimals(NamedTuple):
-    """How the numbers of a file are written.
+    """How the numbers of a file are written."""
 
-    Attributes
-    ----------
-    comma
-        Whether their decimals follow a comma.
-    doubtful
-        A cell that may be read both ways, where nothing in the file decides it; else "".
-    """
-
-    comma: bool
-    doubtful: str = ""
+    comma: bool  # whether their decimals follow a comma
+    doubtful: str = ""  # a cell that may be read both ways, where nothing in the file decides it
 
 
 def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Decimals:
@@ -257,14 +249,11 @@ class CellError(ValueError):
 
 
 class CellReading(NamedTuple):
-    """The content of a cell: a number, its side and its unit.
-
-    Without a ``side`` the sign is as the file has it; without a ``unit`` it is that of the column.
-    """
+    """The content of a cell."""
 
     value: float
-    side: Side | None = None
-    unit: str | None = None
+    side: Side | None = None  # without one the sign is as the file has it
+    unit: str | None = None  # without one it is that of the column
 
 
 def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0) -> CellReading | None:
@@ -311,7 +300,8 @@ def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | 
     if before is None or after is None or any(map(all, zip(before, after, strict=True))):
         if not match["number"].strip("+-0.,") and plain(match["before"] + match["rest"]) in _NO_SIDE:
             return match, None, None
-        raise CellError(_no_number(sides))
+        some = ", ".join(islice(sides, LISTED)) + ", ..." * (len(sides) > LISTED)
+        raise CellError("not a number" + f", or one with its side ({some})" * bool(sides))
     return match, before[0] or after[0], before[1] or after[1]
 
 
@@ -330,8 +320,3 @@ def _side_and_unit(text: str, quantity: str) -> tuple[Side | None, str | None] |
             if not named and (symbol or not other):
                 only_unit = None, symbol  # "1.3 C" is closed where it can be, and degrees Celsius elsewhere
     return only_unit
-
-
-def _no_number(sides: Mapping[str, Side]) -> str:
-    some = ", ".join(islice(sides, LISTED)) + ", ..." * (len(sides) > LISTED)
-    return "not a number" + (f", or one with its side ({some})" if sides else "")

@@ -21,49 +21,23 @@ PARTS_MISSING = "parts of the unfinished work were removed or damaged meanwhile;
 
 
 class Reject(NamedTuple):
-    """A row that cannot be used.
+    """A row that cannot be used."""
 
-    Attributes
-    ----------
-    line
-        Where it begins (in a Parquet file, the number of the row), from 1.
-    reason
-        What is wrong.
-    cells
-        The row as in the file.
-    """
-
-    line: int
-    reason: str
-    cells: Sequence[str]
+    line: int  # where it begins (in a Parquet file, the number of the row), from 1
+    reason: str  # what is wrong
+    cells: Sequence[str]  # the row as in the file
 
 
 @dataclass(frozen=True)
 class Chunk:
-    """Some rows of a table, all with as many cells as there are columns.
+    """Some rows of a table, all with as many cells as there are columns."""
 
-    Attributes
-    ----------
-    lines
-        Where each row begins.
-    columns
-        Each a sequence of texts, an array of numbers or texts, or an Arrow array.
-    ragged
-        Rows with too few or too many cells, which are not among the others.
-    decimal_comma
-        Whether texts write numbers with a decimal comma.
-    as_written
-        The rows as they stand in a CSV file.
-    deliveries
-        Inputs of an impact [SI] of each row, where they are known; else they are to be read from the columns.
-    """
-
-    lines: Sequence[int]
-    columns: Sequence[Any]
-    ragged: Sequence[Reject] = ()
-    decimal_comma: bool = False
-    as_written: Sequence[str] | None = None
-    deliveries: Mapping[str, Floats] | None = None
+    lines: Sequence[int]  # where each row begins
+    columns: Sequence[Any]  # each a sequence of texts, an array of numbers or texts, or an Arrow array
+    ragged: Sequence[Reject] = ()  # rows with too few or too many cells, which are not among the others
+    decimal_comma: bool = False  # whether texts write numbers with a decimal comma
+    as_written: Sequence[str] | None = None  # the rows as they stand in a CSV file
+    deliveries: Mapping[str, Floats] | None = None  # inputs of an impact [SI], where they need not be read from cells
 
     def select(self, rows: Sequence[int] | None) -> Self:
         """Return the chunk of some rows; None stands for all."""

@@ -15,41 +15,15 @@ from clubface.errors import FileError, UnitError, shortened
 from clubface.quantities import file_unit, quantity as quantity_named
 from clubface.results.notes import Note, note
 from clubface.shots.tables.vocabulary import SIDES, WORLD, Side, by_word, vocabulary
-from clubface.simulation.results import flight_outputs, input_dimensions, inputs, outputs
+from clubface.simulation.results import flight_outputs, input_dimensions, outputs
 from clubface.support.checks import check_choice
 from clubface.units import unit
 
 __all__ = [
-    "DELIVERY_QUANTITIES",
-    "FOREIGN_HEADINGS",
-    "HAND",
-    "LAUNCH_QUANTITIES",
-    "POINTS",
-    "SECOND_CHOICE",
-    "ColumnLayout",
-    "FileColumn",
-    "HeadingParts",
-    "KnownHeadings",
-    "Vocabulary",
-    "bracketed",
-    "check_units",
-    "delivery_words",
-    "given_unit",
-    "heading",
-    "heading_of",
-    "layout",
-    "listed",
-    "missing_units",
-    "narrow",
-    "near_name",
-    "plain",
-    "plain_name",
-    "require_speed",
-    "shot_words",
-    "squeezed",
-    "unit_of_column",
-    "unit_symbol",
-    "units_behind",
+    "DELIVERY_QUANTITIES", "HAND", "LAUNCH_QUANTITIES", "POINTS", "SECOND_CHOICE", "ColumnLayout", "FileColumn",
+    "HeadingParts", "KnownHeadings", "Vocabulary", "bracketed", "check_units", "delivery_words", "given_unit",
+    "heading", "heading_of", "layout", "listed", "missing_units", "narrow", "near_name", "plain", "plain_name",
+    "require_speed", "shot_words", "squeezed", "unit_of_column", "unit_symbol",
 ]  # fmt: skip
 
 _UNITS = by_word(vocabulary()["units"])
@@ -72,14 +46,9 @@ def squeezed(name: str) -> str:
     return name.replace(" ", "")
 
 
-def words_apart(text: str) -> str:
-    """Return a text in which small and large letters begin words, ``ballSpeedMph``, with spaces between them."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
-
-
 def units_behind(text: str) -> Iterator[tuple[str, str]]:
     """Yield how a heading may part into a name in plain words and the unit behind it: ``Carry/yd``, ``Spin in rpm``."""
-    apart = words_apart(text)
+    apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)  # ballSpeedMph
     for gap in _GAPS.finditer(apart):
         last = apart[gap.end() :]
         if (len(last) > 1 or last in ("m", "s")) and (symbol := unit_symbol(last)) is not None:
@@ -120,8 +89,6 @@ def unit_of_column(text: str, dimension: str, heading: str, place: tuple[str, in
         raise FileError(*place, str(error), heading) from None
 
 
-FOREIGN_HEADINGS: Mapping[str, Sequence[str]] = vocabulary()["headings"]
-"""The headings of each quantity in the languages of golfers."""
 DELIVERY_QUANTITIES = (
     "speed", "attack", "path", "loft", "face", "lie", "toe", "high", "closure", "pitch_rate", "lie_rate",
     "ball_backspin", "ball_sidespin", "ball_riflespin", "hand",
@@ -140,25 +107,12 @@ MOST_NAMED = 12
 
 
 class HeadingParts(NamedTuple):
-    """The parts of a heading.
+    """The parts of a heading. Words in brackets that are not a unit belong to its name."""
 
-    Attributes
-    ----------
-    name
-        Its words in lower case, without punctuation.
-    unit
-        The text of the unit in brackets, or None.
-    positive
-        The word for the positive side, as in ``(deg closed-/open+)``, or None.
-    bare
-        Its words without those in brackets: "spin axis" for ``Spin Axis (Sim)``. Words in brackets that are not a unit
-        belong to ``name``.
-    """
-
-    name: str
-    unit: str | None
-    positive: str | None
-    bare: str
+    name: str  # its words in lower case, without punctuation
+    unit: str | None  # the text of the unit in brackets
+    positive: str | None  # the word for the positive side, as in "(deg closed-/open+)"
+    bare: str  # the words without those in brackets: "spin axis" for "Spin Axis (Sim)"
 
 
 def heading(text: str) -> HeadingParts:
@@ -179,12 +133,7 @@ def heading(text: str) -> HeadingParts:
 class KnownHeadings:
     """The headings that are known, in plain words, however a file spells them and wherever it writes the unit.
 
-    Parameters
-    ----------
-    names
-        The headings in plain words; of those that are the same without spaces the first counts.
-    with_unit
-        Headings that count only with a unit behind them.
+    Of names that are the same without spaces the first counts; those of ``with_unit`` only with a unit behind them.
     """
 
     def __init__(self, names: Iterable[str], with_unit: Collection[str] = ()) -> None:
@@ -221,18 +170,10 @@ class KnownHeadings:
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """The words a table may use.
+    """The words a table may use."""
 
-    Attributes
-    ----------
-    names
-        The quantity meant by every name a column may have, in plain words.
-    dimensions
-        The dimension of each quantity.
-    """
-
-    names: Mapping[str, str]
-    dimensions: Mapping[str, str]
+    names: Mapping[str, str]  # the quantity meant by every name a column may have, in plain words
+    dimensions: Mapping[str, str]  # of each quantity
 
     @cached_property
     def headings(self) -> KnownHeadings:
@@ -244,74 +185,47 @@ class Vocabulary:
         return self.names.get(self.headings.parts(text).name)
 
 
+def _vocabulary(quantities: Sequence[str], dimensions: Mapping[str, str], others: Mapping[str, str]) -> Vocabulary:
+    """Return the words for the quantities of some dimensions; the registry has synonyms of those that it knows."""
+    foreign = {name: each for name, each in vocabulary()["headings"].items() if name in dimensions}
+    own = {plain(name): name for name in dimensions}
+    synonyms = {name: quantity_named(name).synonyms for name in quantities}
+    return Vocabulary({**_reversed(foreign), **others, **own, **_reversed(synonyms)}, dimensions)
+
+
 @cache
 def delivery_words() -> Vocabulary:
     """Return the words for the inputs of an impact."""
-    own = {plain(name): name for name in inputs()}
-    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in inputs()}
-    return Vocabulary({**_reversed(foreign), **own, **_synonyms(DELIVERY_QUANTITIES)}, input_dimensions())
+    return _vocabulary(DELIVERY_QUANTITIES, input_dimensions(), {})
 
 
 @cache
 def shot_words() -> Vocabulary:
     """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
-    deliveries = delivery_words()
     variables = {**flight_outputs(), **outputs()}
-    own = {plain(name): name for name in LAUNCH_QUANTITIES}
-    launches = {name: variables[name].dimension for name in LAUNCH_QUANTITIES}
-    foreign = {name: each for name, each in FOREIGN_HEADINGS.items() if name in launches}
-    words = {**_reversed(foreign), **deliveries.names, **own, **_synonyms(LAUNCH_QUANTITIES)}
-    return Vocabulary(words, {**deliveries.dimensions, **launches})
+    dimensions = {name: variables[name].dimension for name in LAUNCH_QUANTITIES}
+    launches = _vocabulary(LAUNCH_QUANTITIES, dimensions, delivery_words().names)
+    return Vocabulary(launches.names, {**delivery_words().dimensions, **dimensions})
 
 
 class FileColumn(NamedTuple):
-    """A column that is used.
+    """A column that is used."""
 
-    Attributes
-    ----------
-    place
-        Its place in a row.
-    heading
-        As in the file.
-    quantity
-        The quantity it gives.
-    unit
-        The symbol of the unit of its numbers.
-    side
-        The sign of a number without a side, and whether it is in world or club terms.
-    is_named
-        Whether the file names the unit, so that the file is to be corrected and not the command.
-    is_assumed
-        Whether neither the file nor anyone says it: it is the one that the maker's program has when it is installed.
-    """
-
-    place: int
-    heading: str
+    place: int  # in a row
+    heading: str  # as in the file
     quantity: str
-    unit: str
-    side: Side = Side(1.0, WORLD)
-    is_named: bool = True
-    is_assumed: bool = False
+    unit: str  # the symbol of that of its numbers
+    side: Side = Side(1.0, WORLD)  # the sign of a number without a side, and whether it is in world or club terms
+    is_named: bool = True  # whether the file names the unit, so that the file is to be corrected and not the command
+    is_assumed: bool = False  # whether nobody says the unit: it is that of the maker's program when it is installed
 
 
 class ColumnLayout(NamedTuple):
-    """The columns of a file and their meaning.
+    """The columns of a file and their meaning."""
 
-    Attributes
-    ----------
-    headings
-        Names of all columns, as in the file; a column without a name is named after its place.
-    used
-        The columns that give inputs.
-    passed
-        Headings of the columns that are only passed through.
-    notes
-        Remarks on the result.
-    """
-
-    headings: tuple[str, ...]
-    used: tuple[FileColumn, ...]
-    passed: tuple[str, ...]
+    headings: tuple[str, ...]  # of all columns, as in the file; one without a name is named after its place
+    used: tuple[FileColumn, ...]  # those that give inputs
+    passed: tuple[str, ...]  # headings of those that are only passed through
     notes: tuple[Note, ...]
 
 
@@ -459,10 +373,6 @@ def near_name(name: str, known: Collection[str]) -> str | None:
         if len(each) > 3 and (near := get_close_matches(each, known, 1, 0.8)):
             return plain_name(near[0])
     return None
-
-
-def _synonyms(names: Sequence[str]) -> dict[str, str]:
-    return _reversed({name: quantity_named(name).synonyms for name in names})
 
 
 def _reversed(synonyms: Mapping[str, Sequence[str]]) -> dict[str, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
 from clubface.errors import FileError
@@ -11,7 +12,7 @@ from clubface.shots.tables.cells import decimals_of, doubt, ragged_reason
 from clubface.shots.tables.chunk import Chunk, Reject
 from clubface.shots.tables.headings import shot_words
 from clubface.shots.tables.parquet import ENDINGS, ParquetReader
-from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, open_rows
+from clubface.shots.tables.row_source import DECIMAL_ROWS, open_rows
 
 __all__ = ["CsvReader", "Reader", "open_table"]
 
@@ -20,17 +21,7 @@ LARGEST_CHUNK = 64_000_000
 
 
 class CsvReader:
-    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook.
-
-    Attributes
-    ----------
-    path, headings, header_line
-        The file, and its headings with the line in which they stand.
-    delimiter, decimal_comma
-        How its cells and numbers are written.
-    counts
-        What a place in the file is counted in: "line" or "row".
-    """
+    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook; its rows go by their lines."""
 
     counts = "line"
 
@@ -39,7 +30,18 @@ class CsvReader:
         self._rows = open_rows(path)
         self.delimiter = self._rows.delimiter
         try:
-            self._read_header()
+            row = self._rows.next()
+            if row is None:
+                raise FileError(self.path, 1, "the file is empty: its first row must name the columns")
+            if isinstance(row, Reject):
+                raise FileError(self.path, row.line, row.reason)
+            self.headings = row[0]
+            self.header_line: int | None = row[1]
+            self._seen = [*islice(iter(self._rows.next, None), DECIMAL_ROWS)]
+            quantities = [*map(shot_words().quantity, self.headings)]
+            rows = (row[0] for row in self._seen if not isinstance(row, Reject))
+            cells = (each for row in rows for each in zip(row, quantities, strict=False))
+            self.decimal_comma, self._doubtful = decimals_of(cells, self.delimiter)
         except BaseException:
             self._rows.close()
             raise
@@ -53,27 +55,6 @@ class CsvReader:
     def notes(self) -> tuple[Note, ...]:
         """Remarks on the file, as far as it is read."""
         return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
-
-    def _read_header(self) -> None:
-        row = self._rows.next()
-        if row is None:
-            raise FileError(self.path, 1, "the file is empty: its first row must name the columns")
-        if isinstance(row, Reject):
-            raise FileError(self.path, row.line, row.reason)
-        self.headings = row[0]
-        self.header_line: int | None = row[1]
-        self.decimal_comma = False
-        self._seen: list[Row | Reject] = []
-        self._decide_decimal()
-
-    def _decide_decimal(self) -> None:
-        """Look at the first rows: a number such as "50,5" is one with a decimal comma."""
-        while len(self._seen) < DECIMAL_ROWS and (row := self._rows.next()) is not None:
-            self._seen.append(row)
-        rows = [row[0] for row in self._seen if not isinstance(row, Reject)]
-        quantities = [*map(shot_words().quantity, self.headings)]
-        cells = ((cell, quantity) for row in rows for cell, quantity in zip(row, quantities, strict=False))
-        self.decimal_comma, self._doubtful = decimals_of(cells, self.delimiter)
 
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
         """Yield the rows after the first ``skip``, some ``rows`` at a time."""
@@ -101,7 +82,7 @@ class CsvReader:
                     lines.append(line)
                     written.append(text)
                 else:
-                    ragged.append(_ragged(cells, line, width))
+                    ragged.append(Reject(line, ragged_reason(cells, width), [*cells, *[""] * width][:width]))
                 if size > LARGEST_CHUNK:
                     break
             count = len(kept) + len(ragged)
@@ -122,10 +103,6 @@ class CsvReader:
     def close(self) -> None:
         """Close the file."""
         self._rows.close()
-
-
-def _ragged(cells: list[str], line: int, width: int) -> Reject:
-    return Reject(line, ragged_reason(cells, width), (cells + [""] * width)[:width])
 
 
 Reader = CsvReader | ParquetReader

@@ -136,23 +136,9 @@ Row = tuple[list[str], int, str]
 class CsvRows:
     """The rows of a CSV file, with commas, semicolons, tabs or bars between cells.
 
-    Parameters
-    ----------
-    path
-        The file.
-    head_lines
-        How many lines tell the delimiter; with more than one, a first line such as ``sep=;`` names it.
-    delimiter
-        The delimiter, where it is known.
-
-    Attributes
-    ----------
-    delimiter
-        Between cells: what most of the first lines have that are not blank.
-    blank
-        Blank lines passed over so far.
-    encoding
-        What the text is instead of UTF-8, as far as it is read, as people call it; else None.
+    The delimiter, unless given, is what most of the first ``head_lines`` lines have that are not blank; with more than
+    one, a first line such as ``sep=;`` names it. ``blank`` counts the blank lines passed over so far, and ``encoding``
+    is what the text is instead of UTF-8, as far as it is read, as people call it; else None.
     """
 
     def __init__(self, path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> None:
@@ -267,7 +253,9 @@ class CsvRows:
                 if "new-line character" in str(error):
                     message = "lines end with a carriage return alone; save the file with usual line ends"
                     raise FileError(self.path, begins, message) from None
-                return Reject(begins, _explained(str(error)), ["".join(self._raw)])
+                is_open = "unexpected end of data" in str(error)
+                reason = "a quoted cell that begins here does not end" if is_open else f"this is not CSV: {error}"
+                return Reject(begins, reason, ["".join(self._raw)])
             if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
                 text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
                 return (
@@ -288,12 +276,6 @@ def delimiter_of(lines: Sequence[str]) -> str:
     return max(counts, key=lambda each: (sum(map(bool, counts[each])), max(counts[each])))
 
 
-def _explained(message: str) -> str:
-    if "unexpected end of data" in message:
-        return "a quoted cell that begins here does not end"
-    return f"this is not CSV: {message}"
-
-
 def _separator(head: bytes) -> str | None:
     """Return the delimiter that a line such as ``sep=,`` names, or None where it is no such line."""
     text = head.decode(errors="replace").strip().strip('"')
@@ -307,15 +289,7 @@ SEARCHED = 200
 
 
 class WorkbookRows:
-    """The rows of the first sheet with a table, numbers as text with a decimal point. See :class:`CsvRows`.
-
-    Attributes
-    ----------
-    encoding
-        None, as for UTF-8.
-    notes
-        Which sheet is read where others hold tables too.
-    """
+    """The rows of the first sheet with a table, numbers as text with a decimal point. See :class:`CsvRows`."""
 
     delimiter = ","
     encoding: str | None = None
