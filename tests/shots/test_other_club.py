@@ -39,9 +39,9 @@ def test_a_mismatch_is_refused_or_noted_and_nothing_else():
     with pytest.raises(InputError, match=r"club is 'driver'.*median dynamic loft is 28.5 deg.*--mismatch note"):
         check_club(driver, None, lofts)
     with pytest.raises(InputError, match="the shots name 7 Iron, PW, not driver"):
-        check_club(driver, ["7 Iron", "", "PW", "7 Iron", "Driver"], None)
-    assert check_club(driver, ["Driver", "G430", ""], None) == []
-    assert check_club(driver.replace(name="prototype"), ["7 Iron"], None) == []
+        check_club(driver, ["7 Iron", "", "PW", "7 Iron", "Driver"], np.empty(0))
+    assert check_club(driver, ["Driver", "G430", ""], np.empty(0)) == []
+    assert check_club(driver.replace(name="prototype"), ["7 Iron"], np.empty(0)) == []
     loft = float(np.median(lofts))
     other = {"delivered_loft": loft, "static_loft": driver.loft, "club": "driver"}
     assert check_club(driver, None, lofts, "note") == [("median-loft-of-other-club", other)]

@@ -285,7 +285,9 @@ class MappingFile:
     """A mapping file: the columns of a CSV file of any program."""
 
     name: str | None = file_key(TEXT, "name of the format", default=None)
-    delimiter: str | None = file_key(Choice((",", ";", "\t", "|")), "between cells; seen unless given", default=None)
+    delimiter: str | None = file_key(
+        Choice((",", ";", "\t", "|")), "character between cells; seen unless given", default=None
+    )
     decimal: bool | None = file_key(Choice({".": False, ",": True}), "decimal sign; seen unless given", default=None)
     club: str | None = file_key(TEXT, "heading of the column that names the club", default=None)
     player: str | None = file_key(TEXT, "heading of the column that names the player", default=None)

@@ -43,48 +43,29 @@ long ones. The launch angles of the published tour averages need 0.60 (5-iron) t
 
 
 def check_club(
-    club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64] | None, mismatch: str = "refuse"
+    club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64], mismatch: str = "refuse"
 ) -> list[Note]:
     """Refuse shots of another club than ``club``, or return a note that says why they look so.
 
-    Parameters
-    ----------
-    club
-        The club given.
-    names
-        What the file calls the club of each shot, None if it does not or if that was chosen on purpose.
-    lofts
-        Measured dynamic lofts [rad], or None.
-    mismatch
-        "refuse" or "note".
+    ``names`` is what the file calls the club of each shot, None if it does not or if that was chosen on purpose;
+    ``lofts`` are the measured dynamic lofts [rad], if any, and ``mismatch`` is "refuse" or "note".
     """
     check_choice("mismatch", mismatch, MISMATCH)
-    result = _other_name(club, names) or _other_loft(club, lofts)
-    if result is None:
-        return []
-    if mismatch == REFUSE:
+    wanted, result = club_kind(club.name), None
+    kinds = {str(name): club_kind(str(name)) for name in ([] if names is None else dict.fromkeys(names))}
+    others = [name for name, kind in kinds.items() if kind and wanted and not may_be(kind, wanted)]
+    if others:
+        result = note("club-may-be-other", names=others, club=club.name)
+    elif len(lofts):
+        median, least = float(np.median(lofts)), min(club.loft - LOFT_DIFFERENCE, LEAST_LOFT * club.loft)
+        if not least <= median <= club.loft + LOFT_DIFFERENCE:
+            data = {"delivered_loft": median, "static_loft": club.loft}
+            result = note("median-loft-of-other-club", **data, club=club.name)
+    if result is not None and mismatch == REFUSE:
         why = result.sentence.rpartition(":")[0]
         advice = f'the club of these shots: {why} (mismatch="note" or --mismatch note takes them all the same)'
         raise InputError("club", club.name, advice)
-    return [result]
-
-
-def _other_name(club: Club, names: Iterable[object] | None) -> Note | None:
-    wanted = club_kind(club.name)
-    if names is None or wanted is None:
-        return None
-    kinds = {str(name): club_kind(str(name)) for name in dict.fromkeys(names)}
-    others = [name for name, kind in kinds.items() if kind is not None and not may_be(kind, wanted)]
-    return note("club-may-be-other", names=others, club=club.name) if others else None
-
-
-def _other_loft(club: Club, lofts: NDArray[np.float64] | None) -> Note | None:
-    if lofts is None or not len(lofts):
-        return None
-    median = float(np.median(lofts))
-    if min(club.loft - LOFT_DIFFERENCE, LEAST_LOFT * club.loft) <= median <= club.loft + LOFT_DIFFERENCE:
-        return None
-    return note("median-loft-of-other-club", delivered_loft=median, static_loft=club.loft, club=club.name)
+    return [] if result is None else [result]
 
 
 WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
@@ -166,11 +147,10 @@ def ready_shots(
     notes = check_club(head, recorded.clubs if only is None else None, lofts[np.isfinite(lofts)], mismatch)
     result = refer(assume_values(recorded, assume or {}), head)
     stated = {each.name: getattr(result, each.name) for each in fields(RecordedShots)}
-    clubs, files = (None if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
-    of_these = (clubs or {""}, files or {""})
+    clubs, files = ({""} if each is None else set(map(str, each)) for each in (recorded.clubs, recorded.files))
     return ReadyShots(
         **{**stated, "notes": tuple(dict.fromkeys((*result.notes, *notes)))}, club=head, places=places,
-        loft_origins=tuple(each for each in origins if each.club in of_these[0] and each.file in of_these[1]),
+        loft_origins=tuple(each for each in origins if each.club in clubs and each.file in files),
     )  # fmt: skip
 
 
@@ -201,18 +181,14 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
     if given is not None:
         return club_named(given)
     named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
-    kind = _built_in(club_kind(named))
+    kind = club_kind(named)
+    if kind not in CLUB_NAMES:  # a wedge that goes by its loft is the built-in one of that loft
+        lofts = {f"{units.from_si(club_named(name).loft, 'deg'):.0f}-wedge": name for name in reversed(WEDGES)}
+        kind = lofts.get(kind or "")
     if kind is None:
         stated = f"give it: the shots name {named!r}" if named else "give it: the shots name none"
         raise InputError("club", None, f"{stated}; clubface clubs lists the built-in clubs")
     return club_named(kind)
-
-
-def _built_in(kind: str | None) -> str | None:
-    """Return the built-in club of a kind, a wedge that goes by its loft as the wedge of that loft; None without one."""
-    if kind in CLUB_NAMES:
-        return kind
-    return next((name for name in WEDGES if kind == f"{units.from_si(club_named(name).loft, 'deg'):.0f}-wedge"), None)
 
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
@@ -314,11 +290,8 @@ def measured_shots(
     places = np.arange(len(recorded)) if recorded is shots else recorded.places
     if "speed" not in recorded.deliveries:
         measured = ", ".join(recorded.deliveries) or "nothing"
-        raise InputError(
-            "shots",
-            recorded.source,
-            f"shots with the speed of the clubhead; measured of the deliveries: {measured}",
-        )
+        advice = f"shots with the speed of the clubhead; measured of the deliveries: {measured}"
+        raise InputError("shots", recorded.source, advice)
     check_choice("compared_at", compared_at, COMPARED_AT)
     start = _start(recorded) if compared_at == LAUNCH else {}
     wanted = [name for name in quantities if name in recorded.launches and name not in start]
@@ -342,12 +315,14 @@ def measured_shots(
     dropped = [RejectedRow(int(recorded.rows[row]), reason) for row, reason in sorted(reasons.items())]
     if not kept.any():
         stated = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError(
-            "shots", recorded.source, f"at least one shot with a complete delivery and a launch ({stated})"
-        )
+        advice = f"at least one shot with a complete delivery and a launch ({stated})"
+        raise InputError("shots", recorded.source, advice)
     delivery = {name: values[kept] for name, values in delivery.items()}
     origins = recorded.loft_origins
-    of_lofts = _notes_at_launch(start, origins) if start else origin_notes(origins)
+    of_lofts = origin_notes(origins)
+    if start:
+        of_lofts = [note("compared-at-launch", met=list(start), solved=[SOLVED[name] for name in start]),
+                    *([note("file-lofts-not-used")] if computed(origins) else [])]  # fmt: skip
     assumed = assumptions(head, delivery | dict.fromkeys(SOLVED[name] for name in start))
     return MeasuredShots(
         club=head,
@@ -378,18 +353,10 @@ def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
     return result
 
 
-def _notes_at_launch(start: Mapping[str, Any], origins: Iterable[LoftOrigin]) -> list[Note]:
-    compared = note("compared-at-launch", met=list(start), solved=[SOLVED[name] for name in start])
-    return [compared, *([note("file-lofts-not-used")] if computed(origins) else [])]
-
-
 def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[Note]:
     """Return what was not measured and how it is taken."""
-    result = []
-    missing = [name for name in OF_CLUB if name not in delivery]
-    zero = [name for name in missing if name != "loft"]
-    if zero:
-        result.append(note("taken-as-zero", quantities=zero))
-    if "loft" in missing:
+    zero = [name for name in OF_CLUB if name not in delivery and name != "loft"]
+    result = [note("taken-as-zero", quantities=zero)] if zero else []
+    if "loft" not in delivery:
         result.append(note("static-loft-stands-in", club=head.name, static_loft=head.loft))
     return result

@@ -274,8 +274,10 @@ class RecordedShots:
 def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:
     check_names("quantity", given, known)
     dimensions = shot_words().dimensions
-    read = {name: parse_values(values, dimensions[name], name=name) for name, values in given.items()}
-    return {name: _of_length(np.asarray(values), name, count) for name, values in read.items()}
+    return {
+        name: _of_length(np.asarray(parse_values(values, dimensions[name], name=name)), name, count)
+        for name, values in given.items()
+    }
 
 
 def _texts(given: Any) -> NDArray[Any]:
@@ -335,12 +337,12 @@ def join_sessions(sessions: Sequence[RecordedShots]) -> RecordedShots:
         if len(where) > 1:
             notes.append(note(f"measured-{what}-at-different-places", places=where))
     parts = [each.select(mask) for each, mask in zip(sessions, kept, strict=True) if mask.any()]
-    columns = {
-        kind: _columns([getattr(each, kind) for each in parts], parts) for kind in ("deliveries", "launches", "derived")
-    }
-    texts = {name: _joined_texts([getattr(each, name) for each in parts], parts) for name in TEXTS}
-    if texts["hand"] is not None and "" in texts["hand"]:
-        texts["hand"] = None
+    columns = {kind: _columns([getattr(each, kind) for each in parts], parts)
+               for kind in ("deliveries", "launches", "derived")}  # fmt: skip
+    texts = _columns([{name: each for name in TEXTS if (each := getattr(part, name)) is not None} for part in parts],
+                     parts, "", object)  # fmt: skip
+    if "" in texts.get("hand", ()):
+        del texts["hand"]
     source = ", ".join(each.source for each in sessions[:NAMED])
     formats = dict.fromkeys(each.format for each in sessions)
     return RecordedShots(
@@ -398,21 +400,18 @@ def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]
     return kept
 
 
-def _columns(every: Sequence[dict[str, Any]], parts: Sequence[RecordedShots]) -> dict[str, Any]:
+def _columns(
+    every: Sequence[Mapping[str, Any]], parts: Sequence[RecordedShots], nothing: Any = np.nan, kind: type = float
+) -> dict[str, Any]:
+    """Return the columns of several parts as one each, with ``nothing`` in the parts that lack one."""
     names = dict.fromkeys(name for each in every for name in each)
+    sizes = [*map(len, parts)]
     return {
         name: np.concatenate(
-            [each.get(name, np.full(len(part), np.nan)) for each, part in zip(every, parts, strict=True)]
+            [each.get(name, np.full(size, nothing, kind)) for each, size in zip(every, sizes, strict=True)]
         )
         for name in names
     }
-
-
-def _joined_texts(every: Sequence[Any], parts: Sequence[RecordedShots]) -> Any:
-    if all(each is None for each in every):
-        return None
-    empty = [np.array([""] * len(part), dtype=object) for part in parts]
-    return np.concatenate([none if each is None else each for each, none in zip(every, empty, strict=True)])
 
 
 Shots = TypeVar("Shots", bound=RecordedShots)
@@ -437,16 +436,13 @@ def assume_values(shots: Shots, assume: Mapping[str, Any]) -> Shots:
         measured = deliveries.get(name, np.full(len(shots), np.nan))
         lacking = np.isnan(measured)
         deliveries[name] = np.where(lacking, value, measured)
-        shown = stated if _has_unit(stated) else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
+        has_unit = isinstance(stated, str) and stated.strip()[-1:] not in "0123456789."
+        shown = stated if has_unit else units.show(value, units.SI_UNITS[DIMENSIONS[name]])
         if count := int(lacking.sum()):
             notes.append(note("value-stated", quantity=name, lacking=count, shots=len(shots), stated=shown))
         else:
             notes.append(note("value-stated-not-used", quantity=name, stated=shown))
     return replace(shots, deliveries=deliveries, notes=(*shots.notes, *notes))
-
-
-def _has_unit(stated: Any) -> bool:
-    return isinstance(stated, str) and stated.strip()[-1:] not in "0123456789."
 
 
 MONTHS = {word: int(number) for word, number in by_word(vocabulary()["months"]).items()}

@@ -9,7 +9,7 @@ TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -56,58 +56,37 @@ def refer(shots: RecordedShots, club: Any) -> RecordedShots:
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes: list[Note] = []
     at_face, at_cg = (np.zeros(len(shots), dtype=bool) for _ in range(2))
-    for head, rows in _groups(shots, club):
-        hand = _hands(shots, head)[rows]
+    groups: list[tuple[Any, NDArray[np.intp]]] = [(club, np.arange(len(shots)))]
+    if isinstance(club, Mapping):
+        names = shots.clubs if shots.clubs is not None else np.full(len(shots), "", dtype=object)
+        if unknown := [name for name in club if name not in names]:
+            raise UnknownNameError("club in the file", unknown[0], dict.fromkeys(names))
+        groups = [(each, np.flatnonzero(names == name)) for name, each in club.items()]
+    for given, rows in groups:
+        head = given if isinstance(given, Club) else club_named(given)
+        hand = np.full(len(rows), float(head.hand))
+        if shots.hand is not None:
+            hand = np.array([float(HANDS[each]) for each in shots.hand[rows]])
         some = {name: values[rows] for name, values in deliveries.items()}
-        if shots.face_at == CONTACT and _measured(some, "loft", "face"):
-            referred = _at_face_centre(some, head, hand)
-            _put(deliveries, rows, referred)
-            some |= referred
-            at_face[rows] = known = _known(some, "toe", "high")
-            notes += _notes("contact-face", head, known)
-        if shots.speed_at == FACE and _measured(some, "speed"):
-            _put(deliveries, rows, _at_cg(some, head, hand))
-            at_cg[rows] = known = _known(some, "closure")
-            notes += _notes("motion", head, known)
-    return replace(
-        shots,
-        deliveries=deliveries,
-        notes=(*shots.notes, *notes),
-        speed_at=_point(shots.speed_at, CG, at_cg),
-        face_at=_point(shots.face_at, FACE, at_face),
+        for code, is_there, refer_these, referred, needed in (
+            ("contact-face", shots.face_at == CONTACT and _measured(some, "loft", "face"), _at_face_centre, at_face,
+             ("toe", "high")),
+            ("motion", shots.speed_at == FACE and _measured(some, "speed"), _at_cg, at_cg, ("closure",)),
+        ):  # fmt: skip
+            if is_there:
+                some |= refer_these(some, head, hand)
+                referred[rows] = known = _known(some, *needed)
+                notes.append(note(f"referred-{code}", club=head.name, referred=int(known.sum()), shots=known.size))
+                if not known.all():
+                    notes.append(note(f"not-referred-{code}", lacking=int((~known).sum()), shots=known.size))
+        for name, values in some.items():
+            deliveries[name][rows] = values
+    speed_at, face_at = (
+        was if not referred.any() else aim if referred.all() else UNKNOWN
+        for was, aim, referred in ((shots.speed_at, CG, at_cg), (shots.face_at, FACE, at_face))
     )
-
-
-def _point(was: str, aim: str, referred: NDArray[np.bool_]) -> str:
-    """Return where club data is taken now: unknown where only some shots were referred."""
-    if not referred.any():
-        return was
-    return aim if referred.all() else UNKNOWN
-
-
-def _groups(shots: RecordedShots, club: Any) -> list[tuple[Club, NDArray[np.intp]]]:
-    if not isinstance(club, Mapping):
-        return [(_club(club), np.arange(len(shots)))]
-    names = shots.clubs if shots.clubs is not None else np.full(len(shots), "", dtype=object)
-    for name in club:
-        if name not in names:
-            raise UnknownNameError("club in the file", name, dict.fromkeys(names))
-    return [(_club(each), np.flatnonzero(names == name)) for name, each in club.items()]
-
-
-def _club(head: Any) -> Club:
-    return head if isinstance(head, Club) else club_named(head)
-
-
-def _hands(shots: RecordedShots, head: Club) -> Floats:
-    if shots.hand is None:
-        return np.full(len(shots), float(head.hand))
-    return np.array([float(HANDS[each]) for each in shots.hand])
-
-
-def _put(deliveries: dict[str, Floats], rows: NDArray[np.intp], referred: Mapping[str, Any]) -> None:
-    for name, values in referred.items():
-        deliveries[name][rows] = values
+    notes = [*shots.notes, *notes]
+    return replace(shots, deliveries=deliveries, notes=tuple(notes), speed_at=speed_at, face_at=face_at)
 
 
 def _measured(some: Mapping[str, Any], *names: str) -> bool:
@@ -119,12 +98,6 @@ def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
     """Return which shots have all of the quantities."""
     nothing = np.full(len(next(iter(some.values()))), np.nan)
     return ~np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
-
-
-def _notes(what: str, head: Club, known: NDArray[np.bool_]) -> Iterator[Note]:
-    yield note(f"referred-{what}", club=head.name, referred=int(known.sum()), shots=known.size)
-    if not known.all():
-        yield note(f"not-referred-{what}", lacking=int((~known).sum()), shots=known.size)
 
 
 def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:
@@ -139,9 +112,8 @@ def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[s
     normal = _normal(toe, high, head)
     loft, face = measured_loft.copy(), measured_face.copy()
     for _ in range(MOST_STEPS):
-        x, y, z = np.einsum("nij,nj->ni", _turned(loft, face, lie, head.loft) @ _tilted(head.loft, lie), normal).T
-        step_loft = measured_loft - np.arcsin(np.clip(y, -1.0, 1.0))
-        step_face = measured_face - np.arctan2(z, x)
+        seen_loft, seen_face = _attitude_at(normal, loft, face, lie, head)
+        step_loft, step_face = measured_loft - seen_loft, measured_face - seen_face
         loft, face = loft + step_loft, face + step_face
         if max(np.abs(step_loft).max(initial=0.0), np.abs(step_face).max(initial=0.0)) < CLOSE:
             break
@@ -151,6 +123,13 @@ def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[s
         for name, values in referred.items()
         if name in some
     }
+
+
+def _attitude_at(normal: Floats, loft: Floats, face: Floats, lie: Floats, head: Club) -> tuple[Floats, Floats]:
+    """Return loft and face angle of a normal of the face, given those at its centre."""
+    turned = _turned(loft, face, lie, head.loft) @ _tilted(head.loft, lie)
+    x, y, z = np.einsum("nij,nj->ni", turned, normal).T
+    return np.arcsin(np.clip(y, -1.0, 1.0)), np.arctan2(z, x)
 
 
 def _normal(toe: Floats, high: Floats, head: Club) -> Floats:
@@ -252,8 +231,7 @@ def as_seen(deliveries: Mapping[str, Floats], head: Club, *, speed_at: str, face
     if face_at == CONTACT:
         count = len(seen["speed"])
         toe, high, lie, face = (_filled(deliveries, name, count, 0.0) for name in ("toe", "high", "lie", "face"))
-        turned = _turned(_filled(deliveries, "loft", count, head.loft), hand * face, lie, head.loft)
-        x, y, z = np.einsum("nij,nj->ni", turned @ _tilted(head.loft, lie), _normal(toe, high, head)).T
-        seen["loft"] = np.arcsin(np.clip(y, -1.0, 1.0))
-        seen["face"] = hand * np.arctan2(z, x)
+        loft = _filled(deliveries, "loft", count, head.loft)
+        seen["loft"], seen_face = _attitude_at(_normal(toe, high, head), loft, hand * face, lie, head)
+        seen["face"] = hand * seen_face
     return seen
