@@ -102,9 +102,11 @@ def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
     files = np.full(len(shots), "", dtype=object) if shots.files is None else shots.files
     origins = []
     for club, file in dict.fromkeys(zip(clubs, files, strict=True)):
-        origin = _origin(shots, (clubs == club) & (files == file))
-        if origin is not None:
-            origins.append(origin._replace(club=str(club), file=str(file)))
+        chosen = (clubs == club) & (files == file)
+        both = [_angles(shots, chosen, with_face=each) for each in (True, False)]
+        if known := [each for each in both if each is not None]:  # with the face angle if that explains more
+            best = min(known, key=lambda each: (ORIGINS.index(each.origin), not each.with_face))
+            origins.append(best._replace(club=str(club), file=str(file)))
     return tuple(origins)
 
 
@@ -124,13 +126,6 @@ def origin_notes(origins: Iterable[LoftOrigin]) -> list[Note]:
     return [*notes, note("loft-computed-advice")] if notes else []
 
 
-def _origin(shots: RecordedShots, chosen: NDArray[np.bool_]) -> LoftOrigin | None:
-    """Return the origin of the lofts of some shots: with the face angle if that explains more, else without."""
-    in_space, upright = _angles(shots, chosen, with_face=True), _angles(shots, chosen, with_face=False)
-    origins = [each for each in (in_space, upright) if each is not None]
-    return min(origins, key=lambda each: (ORIGINS.index(each.origin), not each.with_face), default=None)
-
-
 def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:
     """Return the origin that the angles between face normal and launch show, in space or in the vertical plane."""
     names = ("face", "azimuth") if with_face else ()
@@ -139,12 +134,8 @@ def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool)
     if spins is None or not set(names) <= every.keys():
         return None
     used = ("loft", "launch", "ball_speed", *names)
-    there = (
-        chosen
-        & np.isfinite(spins)
-        & (np.abs(spins) > 0.0)
-        & np.all([np.isfinite(every[name]) for name in used], axis=0)
-    )
+    known = np.all([np.isfinite(every[name]) for name in used], axis=0)
+    there = chosen & known & np.isfinite(spins) & (np.abs(spins) > 0.0)
     if there.sum() < FEWEST:
         return None
     loft, launch, speed, *sides = (every[name][there] for name in used)
@@ -175,16 +166,19 @@ def _apart(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats
 
 def _judged(across: Floats, rolling: Floats, rounding: float, with_face: bool) -> LoftOrigin:
     """Decide from angles [rad], and from speeds of rolling over ball speed."""
+    from scipy.stats import chi2
+
     ratio = _ratio(np.sin(across), rolling)
     asked = np.arcsin(np.clip(rolling / ratio, -1.0, 1.0)) if ratio else np.zeros_like(rolling)
     off = across - asked
     robust = 1.4826 * float(np.median(np.abs(off - np.median(off))))
     kept = np.abs(off - np.median(off)) <= OUTLIER * max(robust, rounding, SHARPEST)
     count = int(kept.sum())
-    scatter = math.sqrt(float(np.sum(off[kept] ** 2)) / max(count - 1, 1))
+    free = max(count - 1, 1)
+    scatter = math.sqrt(float(np.sum(off[kept] ** 2)) / free)
     spread = float(np.std(across[kept], ddof=1)) if count > 1 else 0.0
     measured = math.hypot(rounding, MEASURED)
-    low, high = _interval(scatter, count)
+    low, high = (scatter * math.sqrt(free / end) for end in chi2.ppf([LIKELY, 1.0 - LIKELY], free))
     explained = 1.0 - (scatter / spread) ** 2 if spread > 0.0 else 0.0
     plausible = RATIOS[0] <= ratio <= RATIOS[1] and count >= KEPT * len(off)
     if plausible and high < measured and explained >= EXPLAINED:
@@ -205,15 +199,6 @@ def _ratio(sines: Floats, rolling: Floats) -> float:
     sums = np.cumsum(weights[order])
     middle = each[order][int(np.searchsorted(sums, 0.5 * sums[-1]))]
     return 1.0 / float(middle) if middle != 0.0 else 0.0
-
-
-def _interval(deviation: float, count: int) -> tuple[float, float]:
-    """Return between which values a standard deviation lies, each end being sure by ``LIKELY``."""
-    from scipy.stats import chi2
-
-    free = max(count - 1, 1)
-    ends = chi2.ppf([LIKELY, 1.0 - LIKELY], free)
-    return tuple(deviation * math.sqrt(free / end) for end in ends)  # pyright: ignore[reportReturnType]
 
 
 def _step(values: Floats, steps: Iterable[float], unit: str) -> float:

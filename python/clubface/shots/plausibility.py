@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,24 +96,6 @@ def within_turn(name: str, values: Any) -> Any:
     return wrapped(values) if name in TURNING else values
 
 
-class Cleaned(NamedTuple):
-    """Columns without values that cannot be.
-
-    Attributes
-    ----------
-    columns
-        The columns, NaN where a value was taken out.
-    emptied
-        Which rows lost all that they had.
-    notes
-        What was taken out of each column, with counts and an example.
-    """
-
-    columns: dict[str, Floats]
-    emptied: NDArray[np.bool_]
-    notes: tuple[Note, ...]
-
-
 def impossible(values: Mapping[str, float]) -> dict[str, float]:
     """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
     values = {name: float(within_turn(name, value)) for name, value in values.items()}
@@ -135,20 +117,19 @@ def impossible_note(name: str, wrong: int, shots: int, example: float) -> Note:
     return note("impossible-values", example={name: example}, wrong=wrong, shots=shots)
 
 
-def without_impossible(columns: Mapping[str, Floats]) -> Cleaned:
-    """Return columns of shots [SI] without values that no golf shot can have, which count as not measured."""
-    kept, removed = {}, []
-    columns = {name: within_turn(name, values) for name, values in columns.items()}
-    wrong = {name: ~can_be(name, values) for name, values in columns.items()}
-    if "backspin" in columns and "sidespin" in columns:
-        still = (np.abs(columns["backspin"]) < _STILL) & (np.abs(columns["sidespin"]) < _STILL)
+def without_impossible(columns: Mapping[str, Floats]) -> tuple[dict[str, Floats], list[Note]]:
+    """Return columns of shots [SI] with NaN for values that no golf shot can have, and a note on each such column."""
+    kept, notes = {name: within_turn(name, values) for name, values in columns.items()}, []
+    wrong = {name: ~can_be(name, values) for name, values in kept.items()}
+    if "backspin" in kept and "sidespin" in kept:
+        still = (np.abs(kept["backspin"]) < _STILL) & (np.abs(kept["sidespin"]) < _STILL)
         wrong.update({name: wrong[name] | still for name in ("backspin", "sidespin")})
-    for name, values in columns.items():
-        kept[name] = np.where(wrong[name], np.nan, values) if wrong[name].any() else values
-        if wrong[name].any():
-            removed.append(impossible_note(name, int(wrong[name].sum()), values.size, float(values[wrong[name]][0])))
-    had, has = (np.any([~np.isnan(each) for each in column.values()], axis=0) for column in (columns, kept))
-    return Cleaned(kept, had & ~has, tuple(removed))
+    for name, places in wrong.items():
+        if places.any():
+            values = kept[name]
+            notes.append(impossible_note(name, int(places.sum()), values.size, float(values[places][0])))
+            kept[name] = np.where(places, np.nan, values)
+    return kept, notes
 
 
 def without_contradictions(
@@ -173,10 +154,9 @@ def without_contradictions(
     if not wrong.size:
         return dict(columns), None
     kept = dict(columns)
-    for name in ("speed", "ball_speed", "smash"):
-        if name in kept:
-            kept[name] = kept[name].copy()
-            kept[name][wrong] = math.nan
+    for name in {"speed", "ball_speed", "smash"} & set(kept):
+        kept[name] = kept[name].copy()
+        kept[name][wrong] = math.nan
     example = {"ball_speed": float(ball[wrong[0]]), "speed": float(speed[wrong[0]])}
     at = [lines[each] for each in wrong.tolist()]
     return kept, note("faster-than-club", wrong=int(wrong.size), shots=int(speed.size), lines=at, example=example)
@@ -230,21 +210,22 @@ def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -
 def _wrong(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> Iterator[str]:
     for name, column in units.items():
         values = columns[name][~np.isnan(columns[name])] if name in columns else np.empty(0)
-        if column.is_assumed and name in ("speed", "ball_speed") and values.size:
-            median = float(np.median(values))
-            others = [each for each in _others(column) if _is_usual(name, np.array([median * each[1]]))[0]]
-            if not _is_usual(name, np.array([median]))[0] and median > USUAL[name][1] and others:
+        impossible, words = values[~can_be(name, values)], name.replace("_", " ")
+        if name not in USUAL or not values.size:
+            continue
+        if (
+            column.is_assumed
+            and name in ("speed", "ball_speed")
+            and (median := float(np.median(values))) > USUAL[name][1]
+        ):
+            if others := [each for each in _others(column) if _is_usual(name, median * each[1])]:
                 typical = shown(name, median, column.unit)
-                what = f"{name.replace('_', ' ')} is {typical} in the median of {values.size} shots"
-                yield _message(what, [(name, column, others)])
-        impossible = values[~can_be(name, values)]
-        if name not in USUAL or 2 * impossible.size <= values.size:
+                yield _message(f"{words} is {typical} in the median of {values.size} shots", [(name, column, others)])
+        if 2 * impossible.size <= values.size:
             continue
         if others := [each for each in _others(column) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:
-            value_text = (
-                f"{name.replace('_', ' ')} is {shown(name, float(impossible[0]), column.unit)} or another such value"
-            )
-            what = f"{value_text} in {impossible.size} of {values.size} shots, which no shot can have"
+            such = f"{words} is {shown(name, float(impossible[0]), column.unit)} or another such value"
+            what = f"{such} in {impossible.size} of {values.size} shots, which no shot can have"
             yield _message(what, [(name, column, others)])
     if {"speed", "ball_speed"} <= set(columns):
         speed, ball = columns["speed"], columns["ball_speed"]
@@ -306,7 +287,7 @@ def _others(current: FileColumn) -> list[tuple[str, float]]:
     ]
 
 
-def _is_usual(name: str, values: Floats) -> NDArray[np.bool_]:
+def _is_usual(name: str, values: Any) -> Any:
     low, high = USUAL[name]
     return (values >= low) & (values <= high)
 
@@ -356,11 +337,10 @@ def without_sentinels(
 
 def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> dict[str, Floats]:
     """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
-    return {
-        name: np.where(_are_sentinels(values / size(units[name].unit)) & ~can_be(name, values), np.nan, values)
-        if name in units
-        else values
-        for name, values in columns.items()
+    sizes = {name: size(column.unit) for name, column in units.items() if name in columns}
+    return dict(columns) | {
+        name: np.where(_are_sentinels(columns[name] / each) & ~can_be(name, columns[name]), np.nan, columns[name])
+        for name, each in sizes.items()
     }
 
 

@@ -332,12 +332,12 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] 
     if not np.isnan(hands).any():
         known["hand"] = np.array([SIDES[each] for each in hands], dtype=object)
     agreeing, contradiction = without_contradictions(columns, known.get("clubs"), lines)
-    cleaned = without_impossible(agreeing)
-    notes = (*_notes(session, layout, set(columns), len(lines), of_file), *sentinels, turned, *cleaned.notes,
+    cleaned, impossible = without_impossible(agreeing)
+    notes = (*_notes(session, layout, set(columns), len(lines), of_file), *sentinels, turned, *impossible,
              contradiction, date_note)  # fmt: skip
     every = RecordedShots(
-        deliveries={name: each for name, each in cleaned.columns.items() if name in inputs()},
-        launches={name: each for name, each in cleaned.columns.items() if name not in inputs()},
+        deliveries={name: each for name, each in cleaned.items() if name in inputs()},
+        launches={name: each for name, each in cleaned.items() if name not in inputs()},
         **known,
         rows=np.array(lines, dtype=np.int64),
         source=path,
@@ -347,7 +347,7 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] 
         speed_at=session.points.get("speed_at", layout.speed_at),
         face_at=session.points.get("face_at", layout.face_at),
     )
-    emptied = np.all([np.ones(len(lines), bool), *(np.isnan(each) for each in cleaned.columns.values())], axis=0)
+    emptied = np.all([np.ones(len(lines), bool), *(np.isnan(each) for each in cleaned.values())], axis=0)
     if not emptied.any():
         return every
     lost = [RejectedRow(lines[row], "nothing was measured that a shot can have") for row in np.flatnonzero(emptied)]

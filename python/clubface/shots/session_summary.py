@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,11 +151,10 @@ def session_result(shots: RecordedShots) -> Result:
 def _clubs_table(clubs: Sequence[ClubSummary]) -> Table:
     measured = [name for name in QUANTITIES if any(name in each.spreads for each in clubs)]
     several = any(each.player for each in clubs)
+    whose = [each.player or "not named" for each in clubs]
     columns = [
         text("player", [each.player for each in clubs], printed=False),
-        text("whose", [each.player or "not named" for each in clubs], label="player", in_files=False)
-        if several
-        else None,
+        text("whose", whose, label="player", in_files=False) if several else None,
         text("club", [each.club for each in clubs], printed=False),
         text("named", [each.club or "without a name" for each in clubs], label="club", in_files=False),
         text("shots", [each.places.size for each in clubs]),
@@ -238,13 +237,11 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
             landings += _landings(shots, each, place)
         carry = each.spreads["carry"]
         spread = 0.0 if carry.shots < 2 else carry.spread
-        carries.append(Mark("intervals", x=[place], y=[carry.median], y0=[carry.median - spread],
-                            y1=[carry.median + spread], style=place, symbol=str(place), size=5.0))  # fmt: skip
         label = f"{from_si(carry.median, 'yd'):.0f}"
         label += f"\ngap {from_si(each.gap.length, 'yd'):.0f}" if each.gap else ""
-        carries.append(
-            Mark("points", x=[place], y=[carry.median], texts=[label], style=place, symbol=str(place), size=5.0)
-        )
+        at: dict[str, Any] = {"x": [place], "y": [carry.median], "style": place, "symbol": str(place), "size": 5.0}
+        carries.append(Mark("intervals", y0=[carry.median - spread], y1=[carry.median + spread], **at))
+        carries.append(Mark("points", texts=[label], **at))
         if each.mishits:
             far = shots.launches["carry"][each.mishit_places]
             carries.append(Mark("points", x=[place] * len(far), y=far, style=-1, symbol="x", size=4.0, label=MISHIT))
@@ -253,14 +250,8 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
     ends = [shots.launches["carry"][each.places] for each in drawn]
     low, high = (float(each(np.concatenate(ends))) for each in (np.nanmin, np.nanmax))
     carry_axis = axis("carry", limits=(low - 0.1 * (high - low + 1.0), high + 0.12 * (high - low + 1.0)))
-    panels = [
-        Panel(
-            carries,
-            Axis(names=names, limits=(-0.5, len(names) - 0.5)),
-            carry_axis,
-            "median carry, spread, and gap to the next club",
-        )
-    ]
+    club_axis = Axis(names=names, limits=(-0.5, len(names) - 0.5))
+    panels = [Panel(carries, club_axis, carry_axis, "median carry, spread, and gap to the next club")]
     if len(landings) > 1:
         panels.insert(0, Panel(landings, axis("side", "side, to the right"), carry_axis,
                                "landings, one standard deviation"))  # fmt: skip

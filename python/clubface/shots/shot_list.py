@@ -43,18 +43,7 @@ FLOWN = ("carry", "side", "apex", "landing_angle", "flight_time", "total", "tota
 """What is computed of a flight."""
 RESTED = ("total", "total_side")
 """What of it is of the place of rest."""
-FIRST = (
-    *OF_CLUB,
-    "ball_speed",
-    "smash",
-    "launch",
-    "azimuth",
-    "total_spin",
-    "spin_axis",
-    "backspin",
-    "sidespin",
-    *FLOWN,
-)
+FIRST = (*OF_CLUB, "ball_speed", "smash", "launch", "azimuth", *SPINS, "backspin", "sidespin", *FLOWN)
 """The order of the columns; others follow."""
 MOST_PATHS = 1000
 """Flight paths that are computed one by one."""
