@@ -9,8 +9,6 @@ from itertools import pairwise
 
 from clubface.shots.tables.vocabulary import by_word, vocabulary
 
-__all__ = ["club_kind", "is_club_name", "may_be", "same_club"]
-
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
 """Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""
 WEDGE = "wedge"

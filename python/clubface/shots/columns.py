@@ -27,8 +27,6 @@ from clubface.shots.tables.headings import (
 from clubface.shots.tables.vocabulary import SIDES, vocabulary
 from clubface.units import DIMENSIONLESS
 
-__all__ = ["Columns", "columns_of", "is_units_row"]
-
 _COLUMNS = vocabulary()["columns"]
 NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
 """Headings of columns of numbers that are no measurements."""

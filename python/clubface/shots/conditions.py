@@ -23,8 +23,6 @@ from clubface.shots.recorded import RecordedShots
 from clubface.shots.tables.headings import HAND, shot_words, unit_symbol
 from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
 
-__all__ = ["Match", "match_shots", "matching_shots"]
-
 LONGEST = 1000
 """Characters of a condition."""
 EXAMPLE = 'as in "smash > 1.3 and club == \'7i\'" or "ball_speed > 150 mph"'

@@ -38,8 +38,6 @@ from clubface.shots.open_connect import MOST_CLIENTS
 from clubface.support.sockets import LOOPBACK, listen_on
 from clubface.units import to_si
 
-__all__ = ["FlightRelayClient", "FlightRelayListener", "ShotCollector", "text_to_object"]
-
 TICK = 0.2
 """Longest wait before the clock and the request to stop are looked at [s]."""
 RETRY_AFTER = 2.0

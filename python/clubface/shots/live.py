@@ -33,8 +33,6 @@ from clubface.simulation.results import inputs
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import unreadable, unwritable
 
-__all__ = ["LiveShot", "LiveShots", "Player", "live_result", "live_shots"]
-
 DELIVERY = tuple(name for name in inputs() if name != HAND)
 """What a monitor may measure of the club."""
 LARGEST = 200_000_000

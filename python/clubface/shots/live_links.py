@@ -19,8 +19,6 @@ from clubface.shots.opengolfsim import OPENGOLFSIM, OpenGolfSimSender
 from clubface.shots.shot_list import completed
 from clubface.support.sockets import LOOPBACK, check_port
 
-__all__ = ["LinkState", "LiveLinks", "LiveRemark", "SimulatorAddress", "simulator_address"]
-
 MOST_REMARKS = 50
 """What is remembered of what happened on the connections."""
 WAIT = 0.2

@@ -30,10 +30,6 @@ from clubface.shots.recorded import RecordedShots
 from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 
-__all__ = [
-    "COMPUTED", "FROM_MEASUREMENT", "UNDECIDED", "LoftOrigin", "computed", "loft_origins", "origin_notes",
-]  # fmt: skip
-
 FEWEST = 5
 """Fewest shots of a club from which the origin of its lofts is judged."""
 MEASURED = units.to_si(0.3, "deg")

@@ -28,11 +28,6 @@ from clubface.shots.reference_points import refer
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import check_choice
 
-__all__ = [
-    "DELIVERY", "LAUNCH", "QUANTITIES", "SOLVED", "MeasuredShots", "ReadyShots", "assumptions", "check_club",
-    "measured_shots", "ready_shots",
-]  # fmt: skip
-
 REFUSE, NOTE = MISMATCH = ("refuse", "note")
 """What shots of another club may do."""
 LOFT_DIFFERENCE = units.to_si(12.0, "deg")

@@ -25,11 +25,6 @@ from clubface.units import from_si, parse, to_si, unit
 if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
-__all__ = [
-    "LARGEST", "PROTOCOLS", "Broken", "Message", "MessageError", "ObjectStream", "ValuesNotTaken", "in_si", "in_units",
-    "number_of", "numbers_of", "object_of", "recorded", "shot_message", "whole_spin",
-]  # fmt: skip
-
 LARGEST_NUMBER = 1e9
 """No number of a message comes near it, but for what stands for a value that was not measured."""
 LARGEST_VALUE = 1e39

@@ -21,8 +21,6 @@ from numpy.typing import NDArray
 from clubface.support.arrays import Floats
 from clubface.units import to_si
 
-__all__ = ["Mishit", "Statistic", "difference_error", "find_mishits", "is_mishit", "statistic"]
-
 FARTHEST = 3.5
 """Robust standard deviations beyond which a shot is a mishit."""
 LEAST = {"ball_speed": 0.1, "carry": 0.15, "launch": to_si(6.0, "deg"), "azimuth": to_si(10.0, "deg")}

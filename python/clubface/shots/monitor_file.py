@@ -40,8 +40,6 @@ from clubface.simulation.results import inputs
 from clubface.support.arrays import Floats
 from clubface.units import size, to_si, unit
 
-__all__ = ["Session", "SessionReader"]
-
 DERIVED = frozenset(
     {"smash", FACE_TO_PATH, "apex", "landing_angle", "landing_speed", "flight_time", "total", "total_side"}
 )

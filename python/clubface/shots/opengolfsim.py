@@ -18,8 +18,6 @@ from clubface.shots.open_connect import Dialect
 from clubface.support.sockets import LOOPBACK, Connection
 from clubface.units import from_si
 
-__all__ = ["OPENGOLFSIM", "PORT", "OpenGolfSimSender", "from_json", "to_json"]
-
 PORT = 3111
 DEVICE = "OpenGolfSim"
 """What a monitor is called that gives no name."""

@@ -27,12 +27,6 @@ from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
-__all__ = [
-    "RANGES", "can_be", "impossible", "impossible_note", "shown", "with_face_and_path",
-    "within_turn", "without_any_sentinels", "without_contradictions", "without_impossible", "without_sentinels",
-    "wrong_unit",
-]  # fmt: skip
-
 _SPEED = to_si(200.0, "mph")
 """The fastest clubs of long drive contests reach about 160 mph."""
 _BALL_SPEED = 2.0 * _SPEED
@@ -213,14 +207,11 @@ def _wrong(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> It
         impossible, words = values[~can_be(name, values)], name.replace("_", " ")
         if name not in USUAL or not values.size:
             continue
-        if (
-            column.is_assumed
-            and name in ("speed", "ball_speed")
-            and (median := float(np.median(values))) > USUAL[name][1]
-        ):
+        median = float(np.median(values))
+        if column.is_assumed and name in ("speed", "ball_speed") and median > USUAL[name][1]:
+            what = f"{words} is {shown(name, median, column.unit)} in the median of {values.size} shots"
             if others := [each for each in _others(column) if _is_usual(name, median * each[1])]:
-                typical = shown(name, median, column.unit)
-                yield _message(f"{words} is {typical} in the median of {values.size} shots", [(name, column, others)])
+                yield _message(what, [(name, column, others)])
         if 2 * impossible.size <= values.size:
             continue
         if others := [each for each in _others(column) if 2 * np.sum(_is_usual(name, values * each[1])) > values.size]:

@@ -39,8 +39,6 @@ from clubface.support.checks import check_count, without_warnings
 from clubface.support.files import input_file, recorded, same_file
 from clubface.units import from_si, show, to_si
 
-__all__ = ["predict"]
-
 LAUNCH_COLUMNS = {
     "ball_speed_mps": ("ball_speed", "m/s"), "smash": ("smash", "1"), "launch_deg": ("launch", "deg"),
     "azimuth_deg": ("azimuth", "deg"), "backspin_rpm": ("backspin", "rpm"), "sidespin_rpm": ("sidespin", "rpm"),

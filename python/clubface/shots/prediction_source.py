@@ -39,8 +39,6 @@ from clubface.simulation.results import inputs
 from clubface.support.arrays import Floats
 from clubface.support.fingerprint import fingerprint
 
-__all__ = ["Source", "open_source"]
-
 
 class Source(NamedTuple):
     """Where deliveries come from."""

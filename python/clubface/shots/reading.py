@@ -37,8 +37,6 @@ from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_
 from clubface.simulation.results import inputs
 from clubface.support.checks import check_choice
 
-__all__ = ["is_plain_table", "read", "read_shots"]
-
 TELLING = frozenset({"speed", "ball_speed", "launch"})
 """Quantities of which a table of shots has one."""
 FEWEST_KNOWN = 2

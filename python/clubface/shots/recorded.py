@@ -38,12 +38,6 @@ from clubface.units import SI_UNITS, from_si, is_missing, parse_values
 if TYPE_CHECKING:
     import pandas
 
-__all__ = [
-    "SIDES", "TEXTS", "RecordedShots", "RejectedRow", "assume_values", "date_among", "in_order", "iso_dates",
-    "join_sessions", "session_labels",
-]  # fmt: skip
-
-
 TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
 """The attributes of shots that are texts, with the headings of their columns."""
 SIDES = {1.0: "right", -1.0: "left"}

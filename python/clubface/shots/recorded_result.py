@@ -13,8 +13,6 @@ from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow
 
-__all__ = ["rejected_table", "session_table", "shots_result"]
-
 SHOWN = 10
 """Rejected rows that are printed; files have all."""
 

@@ -24,8 +24,6 @@ from clubface.shots.formats import CG, CONTACT, FACE, UNKNOWN
 from clubface.shots.recorded import RecordedShots
 from clubface.support.arrays import Floats
 
-__all__ = ["ATTITUDE", "MOTION", "as_seen", "refer"]
-
 CLOSE = 1e-14
 """Angle to which the face at its centre is found [rad]."""
 MOST_STEPS = 60

@@ -25,8 +25,6 @@ from clubface.shots.recorded_result import rejected_table, session_table
 from clubface.support.arrays import Floats
 from clubface.units import from_si
 
-__all__ = ["ClubSummary", "Gap", "session_picture", "session_result", "summarize_clubs"]
-
 QUANTITIES = (
     "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
 )  # fmt: skip

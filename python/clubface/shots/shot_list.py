@@ -34,8 +34,6 @@ from clubface.simulation.shot_shape import curve, shot_shape
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
-__all__ = ["CompletedShots", "completed", "shot_list_result"]
-
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 """What a flight needs."""
 SPINS = ("total_spin", "spin_axis")

@@ -20,8 +20,6 @@ from clubface.shots.club_names import club_kind
 from clubface.shots.recorded import RecordedShots
 from clubface.units import to_si
 
-__all__ = ["FEWEST", "suspected_signs"]
-
 CLEARLY = 4.0
 """Standard errors by which a slope must have the wrong sign: chance does so for one column in 30,000."""
 FEWEST = 8

@@ -23,8 +23,6 @@ from clubface.shots.tables.headings import HAND, ColumnLayout, plain
 from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.support.arrays import Floats
 
-__all__ = ["summaries_in", "summary_rows"]
-
 MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most", "least", "sum"
 _WORDS = vocabulary()["summaries"]
 _PHRASES = {tuple(phrase.split()): kind for phrase, kind in by_word(_WORDS["words"]).items()}

@@ -19,13 +19,6 @@ from clubface.units import from_si, to_si, unit
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = [
-    "LARGE", "NUMBER", "PLAIN", "CellError", "Decimals", "all_numbers", "cell_text", "decimals_of", "doubt", "hand_of",
-    "is_missing", "is_number", "may_be_thousands", "number", "parsed", "quoted_cell", "ragged_reason", "reading",
-    "unit_in",
-]  # fmt: skip
-
-
 MISSING = frozenset({"", "n/a", "#n/a", "na", "n/m", "nan", "null", "none", "no data", "not measured"})
 """Cells that say that nothing was measured, in lower case; so do those of nothing but dashes, points and the like."""
 _DASHES = "-–—−.,:_*?~ \xa0"

@@ -15,8 +15,6 @@ from clubface.shots.tables.headings import HAND, FileColumn
 if TYPE_CHECKING:
     from clubface.support.arrays import Floats
 
-__all__ = ["PARTS_MISSING", "Chunk", "Reject"]
-
 PARTS_MISSING = "parts of the unfinished work were removed or damaged meanwhile; give the same command again"
 
 

@@ -9,8 +9,6 @@ from pathlib import Path
 from clubface.errors import FileError, shortened
 from clubface.support.files import open_input
 
-__all__ = ["START", "is_workbook", "refuse_no_table"]
-
 START = 4096
 """Bytes of a file that say what it is."""
 _WORKBOOK, _SAVE = "save the sheet as .xlsx or CSV", "export the shots as CSV"

@@ -19,13 +19,6 @@ from clubface.simulation.results import flight_outputs, input_dimensions, output
 from clubface.support.checks import check_choice
 from clubface.units import unit
 
-__all__ = [
-    "DELIVERY_QUANTITIES", "HAND", "LAUNCH_QUANTITIES", "POINTS", "SECOND_CHOICE", "ColumnLayout", "FileColumn",
-    "HeadingParts", "KnownHeadings", "Vocabulary", "bracketed", "check_units", "delivery_words", "given_unit",
-    "heading", "heading_of", "layout", "listed", "missing_units", "narrow", "near_name", "plain", "plain_name",
-    "require_speed", "shot_words", "squeezed", "unit_of_column", "unit_symbol",
-]  # fmt: skip
-
 _UNITS = by_word(vocabulary()["units"])
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""

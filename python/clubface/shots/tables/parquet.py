@@ -14,8 +14,6 @@ from clubface.shots.tables.chunk import PARTS_MISSING, Chunk
 from clubface.shots.tables.file_kind import START, refuse_no_table
 from clubface.support.files import open_input
 
-__all__ = ["ENDINGS", "ParquetForm", "ParquetReader", "check_pyarrow", "pyarrow_for", "write_parquet"]
-
 ENDINGS = (".parquet", ".pq")
 
 

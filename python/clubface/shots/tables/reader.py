@@ -14,8 +14,6 @@ from clubface.shots.tables.headings import shot_words
 from clubface.shots.tables.parquet import ENDINGS, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, open_rows
 
-__all__ = ["CsvReader", "Reader", "open_table"]
-
 LARGEST_CHUNK = 64_000_000
 """Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
 

@@ -27,8 +27,6 @@ from clubface.shots.tables.writer import csv_lines
 from clubface.support.checks import without_foreign_warnings
 from clubface.support.files import open_input
 
-__all__ = ["DECIMAL_ROWS", "Row", "RowSource", "open_rows"]
-
 SAMPLE = 1 << 18
 """Bytes that decide the encoding of what is not UTF-8."""
 IN_MEMORY = 1 << 25

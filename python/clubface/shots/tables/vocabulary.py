@@ -9,8 +9,6 @@ from typing import Any, NamedTuple
 
 from clubface.support.files import DATA
 
-__all__ = ["FACE_TO_PATH", "MIRRORED", "SIDES", "WORLD", "Side", "by_word", "vocabulary"]
-
 
 @cache
 def vocabulary() -> dict[str, Any]:

@@ -18,12 +18,6 @@ from clubface.support.files import whole_file
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = [
-    "KINDS", "CsvForm", "OutputFormat", "RejectsForm", "csv_lines", "delimiter_of", "is_parquet", "number_cells",
-    "write_columns",
-]  # fmt: skip
-
-
 KINDS = (".csv", ".tsv", *PARQUET)
 """How the name of a table may end."""
 DIGITS = 9
