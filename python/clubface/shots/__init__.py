@@ -39,19 +39,20 @@ if TYPE_CHECKING:
         summarize_clubs as summarize_clubs,
     )
 
-_HOME = {
-    **dict.fromkeys(("Match", "match_shots"), "conditions"),
-    **dict.fromkeys(("Field", "Format"), "formats"),
-    **dict.fromkeys(("LoftOrigin", "loft_origins"), "loft_origin"),
-    **dict.fromkeys(("MeasuredShots", "ReadyShots", "measured_shots", "ready_shots"), "measured"),
-    **dict.fromkeys(("Mishit", "Statistic", "find_mishits"), "mishits"),
-    **dict.fromkeys(("FORMATS", "format_result", "formats_result"), "monitors"),
-    "read": "reading",
-    **dict.fromkeys(("RejectedRow", "assume_values", "join_sessions"), "recorded"),
-    "shots_result": "recorded_result",
-    "refer": "reference_points",
-    **dict.fromkeys(("ClubSummary", "session_result", "summarize_clubs"), "session_summary"),
+_NAMES = {
+    "conditions": "Match match_shots",
+    "formats": "Field Format",
+    "loft_origin": "LoftOrigin loft_origins",
+    "measured": "MeasuredShots ReadyShots measured_shots ready_shots",
+    "mishits": "Mishit Statistic find_mishits",
+    "monitors": "FORMATS format_result formats_result",
+    "reading": "read",
+    "recorded": "RejectedRow assume_values join_sessions",
+    "recorded_result": "shots_result",
+    "reference_points": "refer",
+    "session_summary": "ClubSummary session_result summarize_clubs",
 }
+_HOME = {name: module for module, names in _NAMES.items() for name in names.split()}
 
 _MODULES = ("open_connect",)
 

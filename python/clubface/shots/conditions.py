@@ -42,18 +42,10 @@ _OPPOSITES = (ast.NotEq, ast.NotIn)
 
 
 class Match(NamedTuple):
-    """The shots that a condition chooses.
+    """The shots that a condition chooses."""
 
-    Attributes
-    ----------
-    mask
-        The shots for which it is true.
-    undecided
-        How many it neither chooses nor rules out, because something was not measured.
-    """
-
-    mask: NDArray[np.bool_]
-    undecided: int
+    mask: NDArray[np.bool_]  # those for which it is true
+    undecided: int  # how many it neither chooses nor rules out, because something was not measured
 
 
 class _Number(NamedTuple):
@@ -166,7 +158,9 @@ class _Reader:
             case ast.BinOp():
                 return self._calculated(node.op, self._number(node.left), self._number(node.right))
             case ast.Compare():
-                return self._compared(node)
+                sides = [node.left, *node.comparators]
+                pairs = zip(node.ops, sides[:-1], sides[1:], strict=True)
+                return self._joined(ast.And(), [self._pair(*each) for each in pairs])
             case ast.Call(func=ast.Name(id="abs"), args=[only], keywords=[]):
                 number = self._number(only)
                 return number._replace(values=np.abs(number.values))
@@ -185,16 +179,14 @@ class _Reader:
         return InputError("where", self._condition, f"a condition on the shots, {EXAMPLE} ({what})")
 
     def _number(self, node: ast.expr) -> _Number:
-        result = self.value(node)
-        if not isinstance(result, _Number):
-            raise self._error(f"{ast.unparse(node)} is no number")
-        return result
+        if isinstance(result := self.value(node), _Number):
+            return result
+        raise self._error(f"{ast.unparse(node)} is no number")
 
     def _truth(self, node: ast.expr) -> _Truth:
-        result = self.value(node)
-        if not isinstance(result, _Truth):
-            raise self._error(f"{ast.unparse(node)} is neither true nor false; compare it with something")
-        return result
+        if isinstance(result := self.value(node), _Truth):
+            return result
+        raise self._error(f"{ast.unparse(node)} is neither true nor false; compare it with something")
 
     @staticmethod
     def _joined(how: ast.boolop, parts: list[_Truth]) -> _Truth:
@@ -232,11 +224,6 @@ class _Reader:
             raise self._error(f"{remark}: {needs.shown} is in {units}")
         raise self._error(f"{left.shown} and {right.shown} are of different kinds: {left.dimension}, {right.dimension}")
 
-    def _compared(self, node: ast.Compare) -> _Truth:
-        sides = [node.left, *node.comparators]
-        parts = [self._pair(*each) for each in zip(node.ops, sides[:-1], sides[1:], strict=True)]
-        return self._joined(ast.And(), parts)
-
     def _pair(self, how: ast.cmpop, left: ast.expr, right: ast.expr) -> _Truth:
         if isinstance(how, (ast.In, ast.NotIn)):
             if not (isinstance(right, (ast.Tuple, ast.List)) and right.elts):
@@ -263,7 +250,7 @@ class _Reader:
             raise self._error("a name is compared with a text in quotation marks, by == or !=")
         equal = {each: column.same(each, typed.values) for each in dict.fromkeys(column.values)}
         true = np.array([equal[each] for each in column.values], dtype=bool)
-        return _Truth(true, np.array([each != "" for each in column.values], dtype=bool) & ~true)
+        return _Truth(true, (np.array(column.values, dtype=object) != "") & ~true)
 
     def _name(self, name: str) -> _Number | _Text:
         if name in self._given:

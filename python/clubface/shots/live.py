@@ -47,36 +47,17 @@ class Player(NamedTuple):
 
 
 class LiveShot(NamedTuple):
-    """A shot that a monitor sent.
+    """A shot that a monitor sent."""
 
-    Attributes
-    ----------
-    number
-        Its place among all shots of the file, from 1.
-    received
-        When it came, ISO text in UTC.
-    protocol
-        What it came over.
-    player
-        The club and the hand that were chosen then.
-    message
-        What the monitor sent.
-    """
-
-    number: int
-    received: str
-    protocol: str
-    player: Player
-    message: Message
+    number: int  # its place among all shots of the file, from 1
+    received: str  # when it came, ISO text in UTC
+    protocol: str  # what it came over
+    player: Player  # the club and the hand that were chosen then
+    message: Message  # what the monitor sent
 
 
 class LiveShots:
-    """The shots of a file, to which more come while monitors are listened to.
-
-    Parameters
-    ----------
-    path
-        The file; it is made where there is none.
+    """The shots of a file, to which more come while monitors are listened to; it is made where there is none.
 
     Raises
     ------

@@ -34,22 +34,12 @@ MOST = 1 / 3
 
 
 class Mishit(NamedTuple):
-    """A quantity that makes a shot a mishit, SI.
+    """A quantity that makes a shot a mishit, SI."""
 
-    Attributes
-    ----------
-    place
-        The shot, counted from 0.
-    quantity
-        What is far off.
-    value, median
-        That of the shot, and the median of all shots.
-    """
-
-    place: int
-    quantity: str
+    place: int  # the shot, counted from 0
+    quantity: str  # what is far off
     value: float
-    median: float
+    median: float  # of all shots
 
 
 class Statistic(NamedTuple):

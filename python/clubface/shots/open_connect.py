@@ -248,30 +248,14 @@ def _outgoing(
 
 
 class Dialect(NamedTuple):
-    """How monitors and simulators talk over a socket in one protocol.
+    """How monitors and simulators talk over a socket in one protocol."""
 
-    Attributes
-    ----------
-    name
-        Of the protocol.
-    port
-        Its usual port.
-    read
-        From a JSON object to the message in it; raises :class:`MessageError`.
-    answer
-        What a message is answered with, None for nothing.
-    refusal
-        The answer to a message that cannot be used, for which the reason is given.
-    ending
-        What stands behind an answer.
-    """
-
-    name: str
-    port: int
-    read: Callable[[Mapping[str, Any]], Message]
-    answer: Callable[[Message], dict[str, Any] | None]
-    refusal: Callable[[str], dict[str, Any]]
-    ending: bytes = b""
+    name: str  # of the protocol
+    port: int  # its usual one
+    read: Callable[[Mapping[str, Any]], Message]  # from a JSON object; raises MessageError
+    answer: Callable[[Message], dict[str, Any] | None]  # to a message; None for nothing
+    refusal: Callable[[str], dict[str, Any]]  # to a message that cannot be used, with the reason
+    ending: bytes = b""  # of an answer
 
 
 OPEN_CONNECT = Dialect(

@@ -61,16 +61,9 @@ def open_source(
 ) -> Source:
     """Open a file of deliveries or of recorded shots.
 
-    Parameters
-    ----------
-    path, club
-        The file, and the club.
-    hand
-        The hand of the player of a launch monitor's file, if it was given.
-    reading
-        ``format``, ``mapping`` and ``units``, as for :func:`clubface.shots.read`.
-    choice
-        ``only``, ``where``, ``assume`` and ``mismatch``, as for :func:`clubface.shots.measured.ready_shots`.
+    ``hand`` is that of the player of a launch monitor's file, if it was given. ``reading`` has ``format``, ``mapping``
+    and ``units``, as for :func:`clubface.shots.read`, and ``choice`` has ``only``, ``where``, ``assume`` and
+    ``mismatch``, as for :func:`clubface.shots.measured.ready_shots`.
     """
     units = check_units(reading["units"] or {})
     if reading["format"] or reading["mapping"] or not is_plain_table(path):

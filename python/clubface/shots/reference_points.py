@@ -211,17 +211,10 @@ ATTITUDE = ("loft", "face")
 def as_seen(deliveries: Mapping[str, Floats], head: Club, *, speed_at: str, face_at: str) -> dict[str, Floats]:
     """Return the deliveries as a monitor shows them that measures at other points of the head.
 
-    Parameters
-    ----------
-    deliveries
-        Deliveries by quantity, SI, of which ``speed`` is one: motion of the centre of gravity, attitude at the face
-        centre. What is left out is zero, and the loft that of the club.
-    head
-        The club.
-    speed_at
-        Where speed, attack and path are measured: "face" for the face centre; elsewhere they stay.
-    face_at
-        Where loft and face angle are measured: "contact" for the point of contact; elsewhere they stay.
+    ``deliveries`` are by quantity, SI, of which ``speed`` is one: motion of the centre of gravity, attitude at the face
+    centre. What is left out is zero, and the loft that of the club. Speed, attack and path are measured at the face
+    centre where ``speed_at`` is "face", loft and face angle at the point of contact where ``face_at`` is "contact";
+    elsewhere they stay.
     """
     seen, hand = dict(deliveries), float(head.hand)
     if speed_at == FACE:

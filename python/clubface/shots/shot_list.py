@@ -51,27 +51,13 @@ POINTS = 31
 
 @dataclass(frozen=True)
 class CompletedShots:
-    """Shots with what is computed of them.
+    """Shots with what is computed of them."""
 
-    Attributes
-    ----------
-    shots
-        As they were measured.
-    values
-        Measured values and computed ones by quantity [SI]; NaN where there is neither.
-    is_computed
-        Which of them are computed, by quantity.
-    impossible
-        Shots of which the model makes no launch.
-    launches
-        The computed launches, by the place of the shot; a flight from them knows all of the spin.
-    """
-
-    shots: RecordedShots
-    values: Mapping[str, Floats]
-    is_computed: Mapping[str, NDArray[np.bool_]]
-    impossible: int
-    launches: Mapping[int, Launch]
+    shots: RecordedShots  # as they were measured
+    values: Mapping[str, Floats]  # measured and computed ones by quantity [SI]; NaN where there is neither
+    is_computed: Mapping[str, NDArray[np.bool_]]  # which of them are, by quantity
+    impossible: int  # shots of which the model makes no launch
+    launches: Mapping[int, Launch]  # the computed ones, by shot; a flight from them knows all of the spin
 
     @property
     def flies(self) -> NDArray[np.bool_]:
@@ -129,14 +115,7 @@ def completed(shots: RecordedShots) -> CompletedShots:
 def shot_list_result(shots: RecordedShots, *, first: int = 1, title: str = "") -> Result:
     """Return shots one by one, with their flight paths.
 
-    Parameters
-    ----------
-    shots
-        The shots.
-    first
-        The number of the first.
-    title
-        What they are; their source unless given.
+    ``first`` is the number of the first; ``title`` says what they are, their source unless given.
     """
     every = completed(shots)
     numbers = list(range(first, first + len(shots)))
@@ -178,13 +157,7 @@ def _kinds(shots: RecordedShots) -> list[str]:
     """Return the built-in club that stands for that of each shot, "" where there is none."""
     if shots.clubs is None:
         return [""] * len(shots)
-    return [_kind(str(each)) for each in shots.clubs]
-
-
-@cache
-def _kind(name: str) -> str:
-    kind = club_kind(name)
-    return kind if kind in CLUB_NAMES else ""
+    return [kind if (kind := club_kind(str(each))) in CLUB_NAMES else "" for each in shots.clubs]
 
 
 @cache

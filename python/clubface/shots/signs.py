@@ -34,15 +34,8 @@ _ACROSS = ("azimuth", "sidespin", "spin_axis", "face", "path")
 class SignRule(NamedTuple):
     """How a quantity of the launch follows those of the delivery.
 
-    Attributes
-    ----------
-    launch
-        The quantity of the launch.
-    signs
-        Sign of its slope over each quantity of the delivery that may have been measured; 0 where that differs from
-        club to club and is only accounted for.
-    needed
-        Those that must have been measured.
+    ``signs`` are those of its slopes over each quantity of the delivery that may have been measured, 0 where that
+    differs from club to club and is only accounted for; those ``needed`` must have been.
     """
 
     launch: str

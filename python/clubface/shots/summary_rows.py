@@ -60,16 +60,9 @@ def summary_rows(
 ) -> set[int]:
     """Return which rows sum up others.
 
-    Parameters
-    ----------
-    labels
-        The places of the columns of texts: with "club", "player", or the heading in plain words.
-    cells
-        The cells by column.
-    values
-        The numbers by quantity.
-    doubtful
-        Rows with a cell that should be a number and is none, which may say it there.
+    ``labels`` has the places of the columns of texts, with "club", "player", or the heading in plain words; ``cells``
+    are by column, and ``values`` the numbers by quantity. ``doubtful`` rows have a cell that should be a number and is
+    none, which may say it there.
     """
     certain: set[int] = set()
     possible: dict[int, str] = {}
