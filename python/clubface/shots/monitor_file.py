@@ -342,7 +342,10 @@ class SessionReader:
         labels = {place: each for place, each in columns.labels.items() if not _is_array(cells[place])}
         left_out = summary_rows(labels, cells, values, faults.rows)
         session.summaries += len(left_out)
-        self._check(values, faults)
+        for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
+            faults.reject(int(row), "the ball speed is 0: no ball was measured")
+        for row in np.flatnonzero(np.logical_and.reduce([np.isnan(each) for each in values.values()])):
+            faults.reject(int(row), "nothing was measured: every cell of a delivery or launch is empty")
         reasons = faults.reasons
         for row in sorted(reasons.keys() - left_out):
             self._reject(lines[row], reasons[row])
@@ -414,26 +417,19 @@ class SessionReader:
 
     def _numbers(self, cells: Any, column: FileColumn, hands: Floats, faults: _Faults) -> Floats:
         """Return the SI values of a column with their signs here, NaN where nothing was measured."""
-        mirrored = np.sign(hands) if column.quantity in MIRRORED else None
         if column.quantity in LARGE and self._doubtful and not _is_array(cells):
             for row, cell in enumerate(cells):
                 if cell in self._doubtful:
                     what = "a number that may have thousands or decimals; other columns decide for decimals"
                     faults.add(row, cell, what, column)
         quick = cells if _is_array(cells) else all_numbers(cells, self._decimal_comma)
-        if quick is not None:
-            for row in np.flatnonzero(np.isinf(quick)):
-                faults.add(int(row), f"{quick[row]}", "not a finite number", column)
-            values = to_si(np.where(np.isinf(quick), nan, quick) * column.side.sign, column.unit)
-            if mirrored is not None and column.side.frame != WORLD:
-                self._guess_hands(hands, ~np.isnan(values))
-                values = np.where(mirrored < 0.0, -values, values)
-            return values
-        values = np.full(len(cells), nan)
+        values = np.full(len(cells), nan) if quick is None else np.where(np.isinf(quick), nan, quick)
+        for row in [] if quick is None else np.flatnonzero(np.isinf(quick)):
+            faults.add(int(row), f"{cells[row]}", "not a finite number", column)
         other_units: dict[int, str] = {}
         signs = np.full(len(cells), column.side.sign)
         in_club_terms = np.full(len(cells), column.side.frame != WORLD)
-        for row, cell in enumerate(cells):
+        for row, cell in enumerate(cells if quick is None else []):
             if not self._decimal_comma and PLAIN.fullmatch(cell):
                 values[row] = float(cell)
                 continue
@@ -459,24 +455,13 @@ class SessionReader:
             if content.unit is not None:
                 other_units[row] = content.unit
         values *= signs
-        if mirrored is not None and in_club_terms.any():
-            self._guess_hands(hands, in_club_terms & ~np.isnan(values))
-            values = np.where(in_club_terms & (mirrored < 0.0), -values, values)
+        if column.quantity in MIRRORED and in_club_terms.any():
+            self.session.guessed_hand |= bool((np.isnan(hands) & in_club_terms & ~np.isnan(values)).any())
+            values = np.where(in_club_terms & (hands < 0.0), -values, values)
         in_si = to_si(values, column.unit)
         for row, symbol in other_units.items():
             in_si[row] = to_si(values[row], symbol)
         return in_si
-
-    def _guess_hands(self, hands: Floats, measured: Any) -> None:
-        self.session.guessed_hand |= bool((np.isnan(hands) & measured).any())
-
-    @staticmethod
-    def _check(values: Mapping[str, Floats], faults: _Faults) -> None:
-        """Reject rows of which no ball was measured, or nothing."""
-        for row in np.flatnonzero(values.get("ball_speed", np.empty(0)) == 0.0):
-            faults.reject(int(row), "the ball speed is 0: no ball was measured")
-        for row in np.flatnonzero(np.logical_and.reduce([np.isnan(each) for each in values.values()])):
-            faults.reject(int(row), "nothing was measured: every cell of a delivery or launch is empty")
 
     def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
         """Leave out the club data of shots whose club was not measured, as an impossible club speed shows."""

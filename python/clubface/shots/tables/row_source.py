@@ -146,7 +146,6 @@ class CsvRows:
         self._codec = ""
         self._line = 0
         self._file = open_input(path)
-        self._size = self._file.seek(0, io.SEEK_END)
         try:
             self._start(path, head_lines, delimiter)
         except BaseException:
@@ -159,7 +158,6 @@ class CsvRows:
         return (note("not-utf-8", encoding=self.encoding),) if self.encoding else ()
 
     def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
-        self._file.seek(0)
         start = self._file.read(START)
         refuse_no_table(path, start)
         unicode, mark = unicode_by_bytes(start)
@@ -167,11 +165,12 @@ class CsvRows:
         if unicode != "utf-8":
             with self._file as file:
                 self._file = as_utf8(file, unicode, self.path)
-            self._size = self._file.seek(0, 2)
-            self._file.seek(0)
-            self.encoding = NAMES[unicode]
+            self.encoding, mark = NAMES[unicode], 0
+        self._size = self._file.seek(0, io.SEEK_END)
+        self._file.seek(mark)
         first, head = self._first_line()
-        named = _separator(head) if head_lines > 1 else None
+        only = head.decode(errors="replace").strip().strip('"').lower()
+        named = only[4] if head_lines > 1 and re.fullmatch("sep=[,;|]", only) else None
         if named:
             self._line += 1
             first, head = self._first_line()
@@ -205,9 +204,8 @@ class CsvRows:
         for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
             line += 1
             if len(raw) >= LONGEST_LINE:
-                raise FileError(
-                    self.path, line, f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
-                )
+                message = f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
+                raise FileError(self.path, line, message)
             try:
                 text = raw.decode()
             except UnicodeDecodeError:
@@ -256,10 +254,9 @@ class CsvRows:
                 return Reject(begins, reason, ["".join(self._raw)])
             if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
                 text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
+                is_damaged = "\x00" in text
                 return (
-                    Reject(begins, "zero bytes: the file is damaged", [text])
-                    if "\x00" in text
-                    else (cells, begins, text)
+                    Reject(begins, "zero bytes: the file is damaged", [text]) if is_damaged else (cells, begins, text)
                 )
             self.blank += 1
 
@@ -272,12 +269,6 @@ def delimiter_of(lines: Sequence[str]) -> str:
     plain = ["".join(line.split('"')[::2]) for line in lines]
     counts = {each: [line.count(each) for line in plain] for each in ",;\t|"}
     return max(counts, key=lambda each: (sum(map(bool, counts[each])), max(counts[each])))
-
-
-def _separator(head: bytes) -> str | None:
-    """Return the delimiter that a line such as ``sep=,`` names, or None where it is no such line."""
-    text = head.decode(errors="replace").strip().strip('"')
-    return text[4] if len(text) == 5 and text.lower().startswith("sep=") and text[4] in ",;|" else None
 
 
 LARGEST, LARGEST_PART = 1_000_000_000, 100_000_000
