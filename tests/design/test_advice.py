@@ -11,8 +11,18 @@ import clubface
 from clubface import club, units
 from clubface.design.golfer import golfer
 from clubface.design.loft_fit import LoftFit, fit_loft, steady_golfer
-from clubface.design.optimisation.advice import ALIKE, BETTER, OPEN, WORSE, WORTH, Advice, judge_sets, worth_of
-from clubface.design.optimisation.advice_result import advice_lead, advice_tables
+from clubface.design.optimisation.advice import (
+    ALIKE,
+    BETTER,
+    OPEN,
+    WORSE,
+    WORTH,
+    Advice,
+    advice_lead,
+    advice_tables,
+    judge_sets,
+    worth_of,
+)
 from clubface.design.optimisation.landings import DEFAULT_SETTING, OBJECTIVES, Landings, strokes
 from clubface.design.optimisation.run import optimise
 from clubface.design.optimisation.study import from_text

@@ -9,7 +9,6 @@ import clubface
 from clubface import club, fly, impact
 from clubface.design.golfer import golfer
 from clubface.design.optimisation import fitting_run
-from clubface.design.optimisation.fitting import describe, landings
 from clubface.design.optimisation.fitting_run import fit
 from clubface.design.optimisation.study import from_text
 from clubface.errors import FileError, InputError
@@ -91,7 +90,7 @@ def test_the_picture_shows_the_club_that_the_advice_opens_with():
     place = advice.recommended() or advice.best("carry")
     assert place > 0
     assert result.leading.value == pytest.approx(advice.values[place, 0], rel=1e-12)
-    assert advice.names[place] == describe(result.leading)
+    assert advice.names[place] == result.leading.describe()
 
 
 def test_what_is_free_stands_at_an_end_whatever_the_setting_adds():
@@ -169,7 +168,8 @@ def test_the_ground_is_that_of_a_single_shot():
     fitting = from_text(BEGIN + 'ground = "soft fairway"\n[fit]\nclubs = ["driver"]\n')
     launch = impact("driver", golfer("bogey-driver").sample(64, seed=1), on_error="nan")
     expected = np.nanmean(fly(launch, ground="soft fairway", on_error="nan").total)
-    assert landings(fitting, fit(fitting)[0])[0][2].mean() == pytest.approx(expected, rel=1e-12)
+    (one,) = fit(fitting)
+    assert fitting.landed(one.place, one.changes)[0][2].mean() == pytest.approx(expected, rel=1e-12)
     with pytest.raises(FileError, match="unknown ground 'soft'"):
         from_text(BEGIN + 'ground = "soft"\n[fit]\nclubs = ["driver"]\n')
 
@@ -177,7 +177,7 @@ def test_the_ground_is_that_of_a_single_shot():
 def test_the_landings_of_a_combination_are_those_that_it_was_judged_by():
     fitting = from_text(BEGIN + '[fit]\nclubs = ["driver", "3-wood"]\nloft = ["-2 deg", "2 deg"]\n')
     for each in fit(fitting):
-        assert float(landings(fitting, each)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)
+        assert float(fitting.landed(each.place, each.changes)[0][0].mean()) == pytest.approx(each.value, rel=1e-12)
 
 
 def test_python_takes_files_and_each_function_names_the_other_for_the_other_kind(tmp_path):

@@ -5,7 +5,7 @@ import pytest
 
 from clubface import club
 from clubface.design.feasibility import Envelope, Volume, of_club, pseudo_inertia, room_inside
-from clubface.design.optimisation.optimum_result import placement_table
+from clubface.design.optimisation.result import placement_table
 from clubface.design.optimisation.study import Head
 from clubface.design.optimisation.variables import NEAR, PointMass, placement
 from clubface.errors import InputError

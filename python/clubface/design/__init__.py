@@ -27,19 +27,19 @@ if TYPE_CHECKING:
     from clubface.design.golfer_result import doubts_picture as doubts_picture
     from clubface.design.loft_fit import LoftFit as LoftFit, fit_loft as fit_loft, steady_golfer as steady_golfer
     from clubface.design.optimisation.advice import WORTH as WORTH, Advice as Advice
-    from clubface.design.optimisation.fitting import (
+    from clubface.design.optimisation.fitting import Fitting as Fitting
+    from clubface.design.optimisation.fitting_run import (
         Combination as Combination,
         Effect as Effect,
         Fitted as Fitted,
-        Fitting as Fitting,
+        fitting_picture as fitting_picture,
     )
-    from clubface.design.optimisation.fitting_result import fitting_picture as fitting_picture
-    from clubface.design.optimisation.optimum_result import optimum_picture as optimum_picture
     from clubface.design.optimisation.result import (
         Fresh as Fresh,
         FrontPoint as FrontPoint,
         Optimum as Optimum,
         Verdict as Verdict,
+        optimum_picture as optimum_picture,
     )
     from clubface.design.optimisation.study import DesignStudy as DesignStudy, Head as Head
     from clubface.design.optimisation.variables import PointMass as PointMass
@@ -72,10 +72,9 @@ _NAMES = {
     "golfer_result": "doubts_picture",
     "loft_fit": "LoftFit fit_loft steady_golfer",
     "optimisation.advice": "Advice WORTH",
-    "optimisation.fitting": "Combination Effect Fitted Fitting",
-    "optimisation.fitting_result": "fitting_picture",
-    "optimisation.optimum_result": "optimum_picture",
-    "optimisation.result": "Fresh FrontPoint Optimum Verdict",
+    "optimisation.fitting": "Fitting",
+    "optimisation.fitting_run": "Combination Effect Fitted fitting_picture",
+    "optimisation.result": "Fresh FrontPoint Optimum Verdict optimum_picture",
     "optimisation.study": "DesignStudy Head",
     "optimisation.variables": "PointMass",
     "rules": "Rule check_rules",

@@ -13,14 +13,14 @@ The origin is the face centre, the axes are those of the club: x to the target, 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design import core
 from clubface.errors import InputError
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ ROUNDING = 1e-9
 _PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def pseudo_inertia(values: NDArray[Any]) -> NDArray[Any]:
+def pseudo_inertia(values: Floats) -> Floats:
     """Return the pseudo-inertia about the face centre [kg m2, kg m and kg], shape (4, 4).
 
     Parameters
@@ -46,7 +46,7 @@ def pseudo_inertia(values: NDArray[Any]) -> NDArray[Any]:
     return np.array(core.pseudo_inertia(values.tolist()))
 
 
-def pseudo_inertia_derivatives(values: NDArray[Any]) -> NDArray[Any]:
+def pseudo_inertia_derivatives(values: Floats) -> Floats:
     """Return the derivatives of the pseudo-inertia by the mass properties, shape (10, 4, 4)."""
     mass, place = values[0], -values[1:4]
     result = np.zeros((10, 4, 4))
@@ -62,7 +62,7 @@ def pseudo_inertia_derivatives(values: NDArray[Any]) -> NDArray[Any]:
     return result
 
 
-def mass_properties(pseudo: NDArray[Any]) -> NDArray[Any]:
+def mass_properties(pseudo: Floats) -> Floats:
     """Return the mass properties of a pseudo-inertia, in the order of ``MASS_PROPERTIES``."""
     mass = pseudo[3, 3]
     place = pseudo[:3, 3] / mass
@@ -71,12 +71,12 @@ def mass_properties(pseudo: NDArray[Any]) -> NDArray[Any]:
     return np.array([mass, *-place, *np.diag(inertia), *(inertia[i, j] for i, j in _PAIRS)])
 
 
-def of_club(head: Club) -> NDArray[Any]:
+def of_club(head: Club) -> Floats:
     """Return the mass properties of a club in the order of ``MASS_PROPERTIES`` [SI], shape (10,)."""
     return np.array([getattr(head, name) for name in MASS_PROPERTIES])
 
 
-def _tensor(entries: NDArray[Any]) -> NDArray[Any]:
+def _tensor(entries: Floats) -> Floats:
     xx, yy, zz, xy, xz, yz = entries
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
@@ -93,7 +93,7 @@ class QuadraticForm(NamedTuple):
     """
 
     words: str
-    matrix: NDArray[Any]
+    matrix: Floats
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -131,6 +131,14 @@ class Volume:
         return self.shape, self.centre, self.size
 
     @property
+    def frame(self) -> Floats:
+        """Map from parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
+        result = np.eye(4)
+        result[:3, :3] = np.diag(0.5 * np.array(self.size))
+        result[:3, 3] = self.centre
+        return result
+
+    @property
     def cubic(self) -> float:
         """Its volume [m3]."""
         return float(np.prod(self.size)) * (np.pi / 6.0 if self.shape == "ellipsoid" else 1.0)
@@ -142,7 +150,7 @@ WALL = 1e-3
 """How far inside the surface of a mesh a mass lies at least [m]."""
 
 
-def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
+def room_inside(places: Floats, volume: Volume) -> Volume:
     """Return the largest ellipsoid along the axes inside the convex hull of places and in a volume.
 
     Masses in an ellipsoid have every distribution of moments that its conditions allow, so what is found for it can be
@@ -178,11 +186,11 @@ def room_inside(places: NDArray[Any], volume: Volume) -> Volume:
         middle = ", ".join(f'"{units.fixed(float(each), "mm", 0)}"' for each in 0.5 * (places.min(0) + places.max(0)))
         raise InputError("head.centre", None, f"where the mesh of the club is, such as [{middle}]")
 
-    def left(numbers: NDArray[Any]) -> NDArray[Any]:
+    def left(numbers: Floats) -> Floats:
         """Return the room in each direction, in parts of the size."""
         return (most - normals @ numbers[:3] * size - np.linalg.norm(normals * numbers[3:] * size, axis=1)) / size
 
-    def slopes(numbers: NDArray[Any]) -> NDArray[Any]:
+    def slopes(numbers: Floats) -> Floats:
         reach = np.linalg.norm(normals * numbers[3:], axis=1)
         return -np.hstack([normals, normals**2 * numbers[3:] / reach[:, None]])
 
@@ -238,27 +246,27 @@ class Envelope:
     """
 
     volume: Volume
-    shell: NDArray[Any]
+    shell: Floats
     budget: float
     whole: Volume | None = None
 
-    def placed(self, pseudo: NDArray[Any]) -> NDArray[Any]:
+    def placed(self, pseudo: Floats) -> Floats:
         """Return the pseudo-inertia of the mass that is placed freely in a head."""
         return pseudo - self.shell
 
     @property
-    def scale(self) -> NDArray[Any]:
+    def scale(self) -> Floats:
         """Factors of rows and columns that make the moments of the discretionary mass numbers near 1, shape (4,)."""
         return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(self.budget)
 
-    def margins(self, pseudo: NDArray[Any]) -> list[Margin]:
+    def margins(self, pseudo: Floats) -> list[Margin]:
         """Return all conditions on a head with this pseudo-inertia, besides the whole head's."""
         whole = (self.whole or self.volume).space
         margins = core.head_margins(self.volume.space, whole, self.shell.tolist(), self.budget, pseudo.tolist())
         return [Margin(*each) for each in margins]
 
 
-def refuse_impossible(name: str, envelope: Envelope, values: NDArray[Any]) -> None:
+def refuse_impossible(name: str, envelope: Envelope, values: Floats) -> None:
     """Refuse mass properties (in the order of ``MASS_PROPERTIES``) that no body in an envelope has, with the reason."""
     # Walls of a mesh lie outside the room for masses in it: as it is now it may be anywhere in the head.
     now = replace(envelope, volume=envelope.whole or envelope.volume)

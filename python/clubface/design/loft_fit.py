@@ -16,7 +16,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of, own_club
-from clubface.design.optimisation.advice import Advice, describe_conditions, is_at_an_end
+from clubface.design.optimisation.advice import Advice, is_at_an_end
 from clubface.design.optimisation.landings import Objective, Setting
 from clubface.design.optimisation.result import Optimum
 from clubface.design.optimisation.run import REPEATS, judged, optimise
@@ -103,7 +103,7 @@ class LoftFit(Described):
         names += [self._words(club) for club in list(self.optimum.compared.values())[1:]]
         study = self.optimum.study
         varies = any(each.spread.any() for each, _ in study.golfers)
-        conditions = describe_conditions(study.setting, study.hole, self.optimum.fresh.shots if varies else 1)
+        conditions = study.describe_conditions(self.optimum.fresh.shots if varies else 1)
         ends = tuple(
             place for place, club in enumerate(self.optimum.compared.values()) if place and self.is_at_an_end(club)
         )

@@ -7,14 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from clubface.design.optimisation.advice_result import (
-    WORTHS,
-    advice_lead,
-    advice_notes,
-    advice_tables,
-    short_label,
-)
-from clubface.design.optimisation.optimum_result import study_provenance
+from clubface.design.optimisation.advice import WORTHS, advice_lead, advice_notes, advice_tables, short_label
+from clubface.design.optimisation.result import study_provenance
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from clubface.design.golfer import Golfer
 from clubface.design.golfer_estimate import estimate_golfer
 from clubface.design.loft_fit import fit_loft, steady_golfer
-from clubface.design.optimisation.advice import BETTER
-from clubface.design.optimisation.advice_result import losses_in_words, short_label
+from clubface.design.optimisation.advice import BETTER, losses_in_words, short_label
 from clubface.errors import ClubfaceError
 from clubface.inference.player_statistics import ClubStatistics
 from clubface.results.notes import Note, note

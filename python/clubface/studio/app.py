@@ -12,7 +12,7 @@ from starlette.routing import Mount, Route, Router
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from clubface.design.golfer import golfers
-from clubface.design.optimisation.study import JUDGED
+from clubface.design.optimisation.landings import JUDGED
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.errors import ClubfaceError
 from clubface.quantities import read_in

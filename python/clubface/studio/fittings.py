@@ -13,9 +13,9 @@ from starlette.routing import Route
 
 from clubface.design.optimisation.fitting import Fitting
 from clubface.design.optimisation.fitting_run import fit
-from clubface.design.optimisation.landings import DEFAULT_SETTING
+from clubface.design.optimisation.landings import JUDGED
 from clubface.design.optimisation.run import optimise
-from clubface.design.optimisation.study import JUDGED, DesignStudy, from_text
+from clubface.design.optimisation.study import DesignStudy, from_text
 from clubface.equipment.balls import ball as ball_named
 from clubface.equipment.clubs import CLUB_NAMES, club as club_named
 from clubface.errors import FileError, InputError, RangeWarning, RuleWarning
@@ -108,7 +108,7 @@ def _fitting(shots: RecordedShots, asked: Mapping[str, Any]) -> Fitting:
         return Fitting(
             title="A fitting", golfers=((player.golfer, 1.0),), objective=objective,
             clubs=(own, *(club_named(each).replace(hand=own.hand) for each in others)),
-            balls=tuple(map(ball_named, balls)) or (None,), bounds=bounds, setting=DEFAULT_SETTING,
+            balls=tuple(map(ball_named, balls)) or (None,), bounds=bounds,
             shots=check_count("shots", asked.get("shots", USUAL_SHOTS), *FITTING_SHOTS),
         )  # fmt: skip
 

@@ -1,24 +1,38 @@
 """Advice: which of several alternatives a golfer should play, by what counts, and which differences are worth a change.
 
 Every command that advises a golfer, a fitting, an optimisation and the best loft, asks the same question of the same
-numbers: is an alternative better than the present one by at least the smallest difference that is worth a change?
+numbers: is an alternative better than the present one by at least the smallest difference that is worth a change? The
+answer is told in the same sentences, tables and panel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.golfer import Golfer
-from clubface.design.optimisation.landings import Landings, Objective, Setting, objective, objectives
+from clubface.design.optimisation.landings import (
+    DEFAULT_SETTING,
+    JUDGED,
+    Landings,
+    Objective,
+    Setting,
+    objective,
+    objectives,
+)
 from clubface.design.strokes import Hole
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
+from clubface.quantities import Quantity, Reading
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, axis
+from clubface.results.table import Column, Table, text
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 WORTH: Mapping[str, float] = {
@@ -70,43 +84,103 @@ def worth_of(given: Mapping[str, Any] | None) -> dict[str, float]:
     result = dict(WORTH)
     for name, value in (given or {}).items():
         check_choice("objective", name, WORTH)
-        size = units.parse(value, units.unit(judged_unit(name)).dimension, name=f"worth.{name}")
+        size = units.parse(value, units.unit(JUDGED[name]).dimension, name=f"worth.{name}")
         if not size > 0.0:
             raise InputError(f"worth.{name}", value, "above 0")
         result[name] = size
     return result
 
 
-def judged_unit(name: str) -> str:
-    """Return the unit in which an objective is read."""
-    return "1" if name == "strokes" else objective(name).unit
+@dataclass(frozen=True, kw_only=True)
+class AdvisedStudy:
+    """What optimisations and fittings have in common: for whom they are, on which shots, and what is worth a change.
 
+    Attributes
+    ----------
+    title
+        Its name in reports.
+    golfers
+        Each with how much he counts.
+    hole
+        For the expected strokes.
+    setting
+        Model, ball and air.
+    shots, seed
+        Shots of a golfer, and the seed of all random numbers.
+    worth
+        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
+    """
 
-def hole_for(club: Club, hole: Hole | None) -> Hole | None:
-    """Return the hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
-    driven = club.parameters == "driver" and club.loft < DRIVEN
-    return hole if hole is not None or not driven else ASSUMED_HOLE
+    title: str
+    golfers: tuple[tuple[Golfer, float], ...]
+    hole: Hole | None = None
+    setting: Setting = DEFAULT_SETTING
+    shots: int = 10_000
+    seed: int = 1
+    worth: Mapping[str, float] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "worth", worth_of(self.worth))
 
-def advised(asked: str, hole: Hole | None) -> tuple[Objective, ...]:
-    """Return the objectives that advice compares: what was asked first, then the others that can be computed."""
-    known = {each.name: each for each in objectives(hole)}
-    return tuple(known[name] for name in dict.fromkeys((asked, *ADVISED)) if name in known)
+    @property
+    def present(self) -> Club:
+        """The club with which the golfers deliver as they do."""
+        raise NotImplementedError
+
+    @property
+    def purpose(self) -> str:
+        """The name of the objective that was asked for first."""
+        raise NotImplementedError
+
+    @property
+    def counted_hole(self) -> Hole | None:
+        """The hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
+        driven = self.present.parameters == "driver" and self.present.loft < DRIVEN
+        return ASSUMED_HOLE if self.hole is None and driven else self.hole
+
+    def judge(self, name: str) -> Objective:
+        """Return an objective by its name."""
+        return objective(name, self.counted_hole)
+
+    def known(self) -> tuple[Objective, ...]:
+        """Return all objectives that can be computed."""
+        return objectives(self.counted_hole)
+
+    @property
+    def advised(self) -> tuple[Objective, ...]:
+        """The objectives that the advice compares, the one asked for first."""
+        known = {each.name: each for each in self.known()}
+        return tuple(known[name] for name in dict.fromkeys((self.purpose, *ADVISED)) if name in known)
+
+    def samples(self, shots: int, seed: int) -> list[tuple[dict[str, Floats], float]]:
+        """Return the deliveries of every golfer with the present club, and how much he counts."""
+        hand, threads = self.present.hand, self.setting.threads or None
+        return [
+            (each.for_hand(hand).sample(shots, seed=seed, threads=threads), weight) for each, weight in self.golfers
+        ]
+
+    def describe_conditions(self, shots: int) -> str:
+        """Return in words how many shots are judged, by which model, on which hole."""
+        where = f"; hole of {self.hole.describe()}" if self.hole is not None else ""
+        return f"{f'{shots} shots' if shots > 1 else 'one delivery'} by the model {self.setting.model}{where}"
+
+    def advice(self, names: Sequence[str], values: Floats, sets: Floats, shots: int, **options: Any) -> Advice:
+        """Return the advice on alternatives, of which the first is the present one; see :class:`Advice`."""
+        return Advice(
+            purpose=self.purpose, golfer=" and ".join(golfer.title or golfer.name for golfer, _ in self.golfers),
+            objectives=self.advised, names=tuple(names), values=values, sets=sets, worth=self.worth,
+            conditions=self.describe_conditions(shots),
+            assumed_hole=self.hole is None and self.counted_hole is not None, **options,
+        )  # fmt: skip
 
 
 def judge_sets(
-    judges: Sequence[Objective], golfers: Sequence[tuple[Landings, float, NDArray[Any]]], sets: int = SETS
-) -> NDArray[Any]:
+    judges: Sequence[Objective], golfers: Sequence[tuple[Landings, float, Floats]], sets: int = SETS
+) -> Floats:
     """Return objectives in sets of shots, the weighted mean of golfers, shape (sets, objectives).
 
-    Parameters
-    ----------
-    judges
-        The objectives.
-    golfers
-        Their shots, how much each golfer counts, and the landings [m].
-    sets
-        How many sets, as long as each has ``FEWEST`` shots.
+    ``golfers`` are their shots, how much each counts, and the landings [m]. There are as many sets, at most, as have
+    ``FEWEST`` shots each.
     """
     fewest = min(shots.count + shots.missed for shots, _, _ in golfers)
     sets = max(1, min(sets, fewest // FEWEST))
@@ -154,8 +228,8 @@ class Advice:
     golfer: str
     objectives: tuple[Objective, ...]
     names: tuple[str, ...]
-    values: NDArray[Any]
-    sets: NDArray[Any]
+    values: Floats
+    sets: Floats
     worth: Mapping[str, float]
     choices: tuple[int, ...] | None = None
     conditions: str = ""
@@ -269,12 +343,203 @@ def is_at_an_end(value: float, limits: tuple[float, float]) -> bool:
     return min(value - low, high - value) < END * (high - low)
 
 
-def describe_conditions(setting: Setting, hole: Hole | None, shots: int) -> str:
-    """Return in words how many shots are judged, by which model, on which hole."""
-    where = f"; hole of {hole.describe()}" if hole is not None else ""
-    return f"{f'{shots} shots' if shots > 1 else 'one delivery'} by the model {setting.model}{where}"
+_SHORT = {
+    "carry": "carry", "total": "total distance", "side_spread": "spread to the side", "ellipse": "ellipse",
+    "strokes": "strokes",
+}  # fmt: skip
+_LETTERS = 36
+"""Most letters in a line of the name of an alternative in a picture."""
+WORTHS = Quantity("worth", "1", Reading("1", 1), Reading("1", 1), "gain, in differences worth a change")
 
 
-def describe_golfers(golfers: Sequence[tuple[Golfer, float]]) -> str:
-    """Return whom advice is for, in words."""
-    return " and ".join(golfer.title or golfer.name for golfer, _ in golfers)
+def short_label(judge: Objective) -> str:
+    """Return what an objective counts, in sentences: "spread to the side"."""
+    return _SHORT[judge.name]
+
+
+def advice_lead(advice: Advice) -> Iterator[Note]:
+    """Yield what to do in one sentence, what it is for, and what holds under other objectives."""
+    yield _opening(advice)
+    chosen = advice.recommended()
+    states = advice.states(chosen)
+    yield note("advice-purpose", meaning=advice.objectives[0].meaning, conditions=advice.conditions)
+    level = [place for place in advice.as_good(advice.purpose, chosen) if place != chosen]
+    if chosen and level:
+        judge = advice.objectives[0]
+        others = [
+            f"{advice.names[place]} (better by {_amount(judge, advice.gain(judge.name, place))})" for place in level
+        ]
+        yield note("advice-as-good", label=short_label(judge), others=others)
+    if losses := losses_in_words(advice, advice.purpose, chosen):
+        yield note("advice-costs", best=advice.names[chosen], losses=losses)
+    elif chosen and all(state in (BETTER, ALIKE) for state in states.values()):
+        yield note("advice-holds", best=advice.names[chosen], present=advice.names[0], labels=_labels(advice))
+    if len({advice.best(each.name) for each in advice.objectives}) > 1:
+        yield note("advice-by-objective", wishes=[_wish(advice, each) for each in advice.objectives])
+
+
+def _opening(advice: Advice) -> Note:
+    """Return what to do, in one sentence."""
+    judge, chosen = advice.objectives[0], advice.recommended()
+    best = chosen or advice.best(judge.name)
+    gain, error = (judge.show(each) for each in (advice.gain(judge.name, best), advice.error(judge.name, best)))
+    common = {"present": advice.names[0], "golfer": advice.golfer, "label": short_label(judge)}
+    if chosen:
+        before, after = (judge.show(float(advice.values[place, 0])) for place in (0, chosen))
+        data = {**common, "best": advice.names[chosen], "gain": gain, "error": error, "before": before, "after": after}
+        if judge.name != "strokes":
+            return note("advice-change", **data)
+        return note("advice-change-strokes", **data, drives=DRIVES, round=DRIVES * advice.gain(judge.name, chosen))
+    if best and advice.state(judge.name, best) == OPEN:
+        return note("advice-not-certain", **common, best=advice.names[best], gain=gain, error=error)
+    others = range(1, len(advice.names))
+    if not any(state in (BETTER, OPEN) for place in others for state in advice.states(place).values()):
+        return note("advice-keep-all", **common, alternatives=len(others), labels=_labels(advice))
+    worth = judge.show(advice.worth[judge.name])
+    return note("advice-keep", **common, worth=worth, most=gain)
+
+
+def _labels(advice: Advice) -> list[str]:
+    return [short_label(each) for each in advice.objectives]
+
+
+def _wish(advice: Advice, judge: Objective) -> str:
+    best = advice.best(judge.name)
+    if not best:
+        return f"{short_label(judge)}, the {advice.names[0]}"
+    gain = _amount(judge, advice.gain(judge.name, best))
+    state = advice.state(judge.name, best)
+    enough = {BETTER: "worth a change", OPEN: "not certain"}.get(state, "not worth a change")
+    price = losses_in_words(advice, judge.name, best)
+    if state == BETTER and price:
+        enough += f" only if nothing else counts: it costs {', '.join(price)}"
+    if best in advice.at_an_end:
+        enough += "; at an end of what was tried, and so no optimum"
+    return f"{short_label(judge)}, {advice.names[best]} (better by {gain}, {enough})"
+
+
+def losses_in_words(advice: Advice, name: str, alternative: int) -> list[str]:
+    """Return in words what an alternative costs by the other objectives."""
+    judges = {each.name: each for each in advice.objectives}
+    losses = advice.losses(name, alternative)
+    return [
+        _amount(judges[each], loss) + (f" of {short_label(judges[each])}" if each != "strokes" else "")
+        for each, loss in losses.items()
+    ]
+
+
+def _amount(judge: Objective, value: float) -> str:
+    """Return a value with its unit in a sentence: "0.0220 strokes"."""
+    return judge.show(value) + (" strokes" if judge.name == "strokes" else "")
+
+
+def advice_notes(advice: Advice) -> Iterator[Note]:
+    """Yield what is to be known about the tables."""
+    sizes = [f"{short_label(each)} {each.show(advice.worth[each.name])}" for each in advice.objectives]
+    yield note("advice-worth", sizes=sizes)
+    yield note("advice-errors" if advice.sets.std(axis=1).any() else "advice-single-delivery")
+    if advice.sets.std(axis=1).any():
+        yield note("advice-mishits")
+    if advice.assumed_hole:
+        yield note("advice-hole-assumed", hole=ASSUMED_HOLE.describe())
+
+
+def advice_tables(
+    advice: Advice, fields: Sequence[Column] = (), shown: Sequence[int] | None = None
+) -> tuple[Table, Table, Table]:
+    """Return what to do by objective, the alternatives with all objectives, and what separates them.
+
+    Parameters
+    ----------
+    fields
+        Further columns of the alternatives, such as their lofts.
+    shown
+        Which alternatives people see; None for all.
+    """
+    shown = range(len(advice.names)) if shown is None else shown
+    return _by_objective(advice), _alternatives(advice, fields, shown), _differences(advice, shown)
+
+
+def _by_objective(advice: Advice) -> Table:
+    """Return for each objective which alternative is best by it, by how much, if that is worth a change, and its price.
+
+    They are those of the sentence on what each objective alone would choose.
+    """
+    judges = advice.objectives
+    kinds = [each.quantity for each in judges]
+    pairs = [(each.name, advice.best(each.name)) for each in judges]
+    words = [{BETTER: "change", OPEN: "not certain"}.get(advice.state(*pair), "keep") for pair in pairs]
+    prices = [", ".join(losses_in_words(advice, *pair)) for pair in pairs]
+    columns = (
+        text("objective", [each.name for each in judges], printed=False),
+        text("what counts", [each.label for each in kinds], in_files=False),
+        text("advice", words, label="alone"),
+        Column("present", [float(each) for each in advice.values[0]], kinds),
+        Column("gain", [advice.gain(*pair) for pair in pairs], kinds, "to gain", difference=True),
+        Column("error", [advice.error(*pair) for pair in pairs], kinds, "±"),
+        Column("worth", [advice.worth[each.name] for each in judges], kinds, "worth a change"),
+        text("best", [advice.names[place] for _, place in pairs], label="with"),
+        text("price", prices, label="at the price of", printed=any(prices)),
+    )
+    return Table("advice", columns, "What each objective alone would choose")
+
+
+def _alternatives(advice: Advice, fields: Sequence[Column], shown: Sequence[int]) -> Table:
+    every = range(len(advice.names))
+    ranks = advice.ranks(every)
+    columns = (
+        text("alternative", advice.names),
+        text("place", [ranks[place] for place in every]),
+        *fields,
+        *(Column(judge.name, [float(each) for each in advice.values[:, column]], judge.quantity)
+          for column, judge in enumerate(advice.objectives)),
+    )  # fmt: skip
+    title = f"Alternatives; those of one place do not differ in {short_label(advice.objectives[0])}"
+    return Table("alternatives", columns, title, shown_rows=shown)
+
+
+def _differences(advice: Advice, shown: Sequence[int]) -> Table:
+    every = range(1, len(advice.names))
+    columns = [text("alternative", advice.names[1:])]
+    for place, judge in enumerate(advice.objectives):
+        changes = [float(advice.values[row, place] - advice.values[0, place]) for row in every]
+        errors = [advice.error(judge.name, row) for row in every]
+        columns += [
+            Column(f"{judge.name}_difference", changes, judge.quantity, judge.quantity.label, difference=True),
+            Column(f"{judge.name}_error", errors, judge.quantity, "±"),
+            text(f"{judge.name}_verdict", [advice.state(judge.name, row) for row in every], printed=False),
+        ]
+    columns.append(text("verdict", [_verdict(advice, row) for row in every], in_files=False))
+    rows = [row - 1 for row in shown if row]
+    return Table("differences", tuple(columns), f"Differences from the {advice.names[0]}", shown_rows=rows)
+
+
+def _verdict(advice: Advice, alternative: int) -> str:
+    """Return in words by which objectives an alternative is better or worse than the present one."""
+    states = advice.states(alternative)
+    by_state: Mapping[str, list[str]] = {
+        state: [short_label(each) for each in advice.objectives if states[each.name] == state]
+        for state in (BETTER, WORSE, OPEN)
+    }
+    parts = [f"{state}: {', '.join(labels)}" for state, labels in by_state.items() if labels]
+    return "; ".join(parts) or "no difference worth a change"
+
+
+def gains_panel(advice: Advice, rows: int) -> Panel:
+    """Return what the first alternatives gain on the present one by each objective, in differences worth a change."""
+    places = range(1, min(rows, len(advice.names) - 1) + 1)
+    marks = [Mark("shade", x0=-1.0, x1=1.0, style=-1), Mark("rule", x=0.0, style=-1)]
+    away = 0.6 * (np.arange(len(advice.objectives)) / max(len(advice.objectives) - 1, 1) - 0.5)
+    for style, (judge, below) in enumerate(zip(advice.objectives, away, strict=True)):
+        worth = advice.worth[judge.name]
+        gains = np.array([advice.gain(judge.name, place) for place in places]) / worth
+        errors = CERTAIN * np.nan_to_num([advice.error(judge.name, place) for place in places]) / worth
+        marks.append(Mark(
+            "intervals", gains, np.array(places) - 1 + below, x0=gains - errors, x1=gains + errors, style=style,
+            label=f"{short_label(judge)}, {judge.show(worth)}",
+        ))  # fmt: skip
+    names = ["\n".join(textwrap.wrap(advice.names[place], _LETTERS)) for place in places]
+    return Panel(
+        marks, Axis(WORTHS), axis(names=names, reversed=True, limits=(len(places) - 0.4, -0.6)),
+        f"Gain on the {advice.names[0]}; within the grey it is not worth a change", legend=True,
+    )  # fmt: skip

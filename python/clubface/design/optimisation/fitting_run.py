@@ -1,33 +1,19 @@
-"""A fitting from start to end: every combination judged on the same shots, and what is free adjusted."""
+"""A fitting from start to end: every combination judged on the same shots, what is free adjusted, and the result."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface.design.optimisation.advice import (
-    BETTER,
-    Advice,
-    adds_nothing,
-    describe_conditions,
-    describe_golfers,
-    judge_sets,
-)
-from clubface.design.optimisation.fitting import (
-    Combination,
-    Effect,
-    Fitted,
-    Fitting,
-    describe,
-    describe_changes,
-    golfer_landings,
-)
-from clubface.design.optimisation.fitting_result import combinations_table
+from clubface.design.optimisation import advice as advising
+from clubface.design.optimisation.advice import BETTER, Advice, judge_sets, short_label
+from clubface.design.optimisation.fitting import Fitting, Samples, adjusted, describe_changes
 from clubface.design.optimisation.landings import Landings, Objective, own_value
+from clubface.design.optimisation.result import landings_panel, study_provenance
 from clubface.design.optimisation.solve import COARSE, Problem, best, solve, starts
 from clubface.design.optimisation.study import content, fitting
 from clubface.design.optimisation.variables import Variables
@@ -36,23 +22,142 @@ from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Wording
 from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Finished, store_for
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Picture
+from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.shots.tables.writer import csv_lines
 
 STARTS = 3
 """Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
+SHOWN = 12
+"""Combinations that are printed; files have all."""
+BARS = 10
+"""Most alternatives that are drawn."""
 
 
-class _Judged(NamedTuple):
-    """A club as it is set for one objective [SI].
+class Combination(NamedTuple):
+    """One club as it can be put together.
 
     Attributes
     ----------
+    club
+        Its name.
+    ball
+        The name of the ball.
+    setting
+        The name of the setting of the head, "" where there are none.
     changes
-        Of loft, lie and CG.
-    values
-        All objectives over all shots.
-    sets
-        Those of the advice in sets of shots.
+        What loft, lie and CG are changed by [SI]; adjusted values among them.
+    value
+        What it is judged by [SI].
+    others
+        The other numbers of the shots, by name [SI].
+    error
+        Standard error of the difference from the best [SI], 0 for the best itself.
+    place
+        Index of the combination among all of the fitting.
+    rank
+        1 for the best; those that do not differ by what is worth a change share one.
+    """
+
+    club: str
+    ball: str
+    setting: str
+    changes: Mapping[str, float]
+    value: float
+    others: Mapping[str, float]
+    error: float
+    place: int
+    rank: int = 1
+
+    def describe(self, *, with_ball: bool = True) -> str:
+        """Return it in words: "driver with the ball modern, the setting "back", 1.0 deg more loft"."""
+        parts = [f"{self.club} with the ball {self.ball}" if with_ball else self.club]
+        parts += [f'the setting "{self.setting}"'] if self.setting else []
+        changed = describe_changes(self.changes)
+        return ", ".join([*parts, changed] if changed else parts)
+
+
+class Effect(NamedTuple):
+    """How much one kind of part matters: the most that it changes an objective, all else being equal.
+
+    Attributes
+    ----------
+    part
+        "club", "ball" or "setting".
+    objective
+        The name of an objective.
+    difference, error
+        The greatest difference between two of the parts, and its standard error [SI].
+    matters
+        Whether the difference is worth a change and statistically clear.
+    """
+
+    part: str
+    objective: str
+    difference: float
+    error: float
+    matters: bool
+
+
+class Fitted(list[Combination], Described):
+    """The combinations of a fitting, those that share the best rank first.
+
+    Attributes
+    ----------
+    fitting
+        What was chosen among.
+    advice
+        The present club, all combinations, and those that are best by other objectives.
+    effects
+        How much clubs, balls and settings matter, by objective.
+    alternatives
+        The clubs of the advice after the present one, in its order.
+    others
+        How many of the last alternatives of the advice were set for other objectives.
+    """
+
+    def __init__(
+        self,
+        combinations: list[Combination],
+        fitting: Fitting,
+        advice: Advice,
+        effects: tuple[Effect, ...],
+        alternatives: tuple[Combination, ...],
+        others: int,
+    ) -> None:
+        super().__init__(combinations)
+        self.fitting, self.advice, self.effects = fitting, advice, effects
+        self.alternatives, self.others = alternatives, others
+
+    @property
+    def leading(self) -> Combination | None:
+        """The club that the advice opens with: to change to, or to consider where none is; None for the present one."""
+        place = self.advice.recommended() or self.advice.best(self.advice.purpose)
+        return self.alternatives[place - 1] if place else None
+
+    def to_result(self) -> Result:
+        """Return the combinations and the advice as a result."""
+        fitting, advice = self.fitting, self.advice
+        count = len(advice.names)
+        shown = [row for row in range(count) if row <= SHOWN or row >= count - self.others]
+        tables = [combinations_table(fitting, self), *advising.advice_tables(advice, shown=shown)]
+        if self.effects:
+            tables.append(_effects_table(self))
+        return Result(
+            kind="fitting", title=fitting.title, tables=tuple(tables),
+            lead=(*advising.advice_lead(advice), *_parts(self)), notes=(*_notes(self), *advising.advice_notes(advice)),
+            provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
+            # Two, so that a printed page takes the first beneath the advice.
+            draw=lambda: [fitting_picture(self), *([fitting_landings_picture(self)] if count > 1 else [])],
+        )  # fmt: skip
+
+
+class _Judged(NamedTuple):
+    """A club as it is set for one objective: what is changed [SI], and all objectives over all shots.
+
+    Those of the advice are also judged in sets of shots.
     """
 
     changes: dict[str, float]
@@ -65,11 +170,6 @@ class _Tried(NamedTuple):
 
     ball: str
     judged: dict[str, _Judged]
-
-    @classmethod
-    def read(cls, ball: str, judged: Mapping[str, Any]) -> _Tried:
-        """Return what was kept."""
-        return cls(ball, {name: _Judged(*each) for name, each in judged.items()})
 
 
 def fit(
@@ -119,11 +219,15 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
     purpose, count = fitting.objective, range(len(tried))
     own = [each.judged[purpose] for each in tried]
     same = next((place for place in count if _is_present(fitting, place, own[place])), None)
-    present = own[same] if same is not None else _present(fitting)
+    if same is None:
+        samples = fitting.samples(fitting.shots, fitting.seed)
+        present = _judged(fitting, fitting.landings(*fitting.combinations()[0][:2], samples), {}, {})
+    else:
+        present = own[same]
     rows = {place: row for row, place in enumerate((place for place in count if place != same), 1)}
     rows |= {} if same is None else {same: 0}
     judged = [present, *(own[place] for place in count if place != same)]
-    every = _advice(fitting, ["" for _ in judged], judged)
+    every = _advice(fitting, judged)
     ranks = every.ranks([rows[place] for place in count])
     order = sorted(count, key=lambda place: (ranks[rows[place]], place))
     best = max(rows.values(), key=lambda row: every.gain(purpose, row))
@@ -134,7 +238,7 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
         for place in order
     ]
     with_ball = len(fitting.balls) > 1
-    chosen = {describe(each, with_ball=with_ball): (each, own[each.place]) for each in ranked if each.place != same}
+    chosen = {each.describe(with_ball=with_ball): (each, own[each.place]) for each in ranked if each.place != same}
     combinations = len(chosen)
     for each in fitting.advised[1:]:
         tuned = [one.judged.get(each.name, own[place]) for place, one in enumerate(tried)]
@@ -142,17 +246,17 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
         place = min(count, key=lambda place: each.sign * tuned[place].values[column])
         combination = _combination(fitting, tried[place].ball, place, tuned[place])
         known = [judged.values[column] for judged in (present, *(judged for _, judged in chosen.values()))]
-        if not adds_nothing(each, fitting.worth[each.name], tuned[place].values[column], known):
-            chosen.setdefault(describe(combination, with_ball=with_ball), (combination, tuned[place]))
+        if not advising.adds_nothing(each, fitting.worth[each.name], tuned[place].values[column], known):
+            chosen.setdefault(combination.describe(with_ball=with_ball), (combination, tuned[place]))
     ball = f" with the ball {tried[0].ball}" if with_ball else ""
     names = [f"present {fitting.clubs[0].name}{ball}", *chosen]
-    advice = _advice(fitting, names, [present, *(judged for _, judged in chosen.values())])
+    advice = _advice(fitting, [present, *(judged for _, judged in chosen.values())], names)
     alternatives = tuple(combination for combination, _ in chosen.values())
     return Fitted(ranked, fitting, advice, _effects(fitting, tried), alternatives, len(chosen) - combinations)
 
 
 def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Combination:
-    head, _, setting = fitting.names()[place]
+    head, _, setting = fitting.combinations()[place]
     values = {each.name: value for each, value in zip(fitting.judges, judged.values, strict=True)}
     value = values.pop(fitting.objective)
     return Combination(head.name, ball, setting, judged.changes, value, values, 0.0, place)
@@ -160,30 +264,20 @@ def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Co
 
 def _is_present(fitting: Fitting, place: int, judged: _Judged) -> bool:
     """Return whether a combination is the first club with the first ball, nothing changed that is seen."""
-    head, ball, _ = fitting.names()[place]
+    head, ball, _ = fitting.combinations()[place]
     return head is fitting.clubs[0] and ball is fitting.balls[0] and not describe_changes(judged.changes)
 
 
-def _present(fitting: Fitting) -> _Judged:
-    """Return how the first club with the first ball is judged, with nothing changed."""
-    golfers = golfer_landings(fitting, *fitting.names()[0][:2], fitting.samples())
-    return _judged(fitting, golfers, {}, {})
-
-
-def _advice(fitting: Fitting, names: list[str], judged: list[_Judged]) -> Advice:
-    columns = slice(0, len(fitting.advised))
-    return Advice(
-        purpose=fitting.objective, golfer=describe_golfers(fitting.golfers), objectives=fitting.advised,
-        names=tuple(names), values=np.array([each.values for each in judged])[:, columns],
-        sets=np.array([each.sets for each in judged]), worth=fitting.worth,
-        conditions=describe_conditions(fitting.setting, fitting.hole, fitting.shots),
-        assumed_hole=fitting.hole is None and fitting.counted_hole is not None,
-    )  # fmt: skip
+def _advice(fitting: Fitting, judged: list[_Judged], names: Sequence[str] = ()) -> Advice:
+    values = np.array([each.values for each in judged])[:, : len(fitting.advised)]
+    sets = np.array([each.sets for each in judged])
+    return fitting.advice(names or [""] * len(judged), values, sets, fitting.shots)
 
 
 def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
     """Return how much clubs, balls and settings matter, each combination as it is set for the objective."""
-    names = [(head.name, each.ball, setting) for (head, _, setting), each in zip(fitting.names(), tried, strict=True)]
+    combinations = zip(fitting.combinations(), tried, strict=True)
+    names = [(head.name, each.ball, setting) for (head, _, setting), each in combinations]
     effects = []
     for place, part in enumerate(("club", "ball", "setting")):
         groups: dict[tuple[str, ...], list[int]] = {}
@@ -192,8 +286,7 @@ def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
         if all(len(rows) < 2 for rows in groups.values()):
             continue
         for judge in fitting.advised:
-            judged = [one.judged.get(judge.name) or one.judged[fitting.objective] for one in tried]
-            every = _advice(fitting, ["" for _ in judged], judged)
+            every = _advice(fitting, [one.judged.get(judge.name) or one.judged[fitting.objective] for one in tried])
             ends = [
                 (max(rows, key=lambda row: every.gain(judge.name, row)),
                  min(rows, key=lambda row: every.gain(judge.name, row)))
@@ -208,19 +301,19 @@ def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
 
 
 def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
-    combinations, samples = fitting.names(), fitting.samples()
+    combinations, samples = fitting.combinations(), fitting.samples(fitting.shots, fitting.seed)
 
     def compute(place: int) -> list[Any]:
-        head, ball, setting = combinations[place]
-        return list(_tried(fitting, head, ball, setting, samples))
+        return list(_tried(fitting, *combinations[place], samples))
 
     job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
-    return [_Tried.read(*each) for each in run(job, store=store, progress=progress).values()]
+    kept = run(job, store=store, progress=progress).values()
+    return [_Tried(ball, {name: _Judged(*each) for name, each in judged.items()}) for ball, judged in kept]
 
 
-def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Any) -> _Tried:
+def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Samples) -> _Tried:
     """Judge one combination, after what can be set freely is set as well as it can be for each objective."""
-    golfers = golfer_landings(fitting, head, ball, samples)
+    golfers = fitting.landings(head, ball, samples)
     changes = dict(fitting.settings[setting]) if setting else {}
     club = fitting.set(head, setting)
     judged = {}
@@ -235,24 +328,25 @@ def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, sample
 
 
 def _tuned(
-    fitting: Fitting, judge: Objective, head: Club, ball: Ball | None, setting: str, samples: Any, golfers: Any
+    fitting: Fitting, judge: Objective, head: Club, ball: Ball | None, setting: str, samples: Samples, golfers: Any
 ) -> dict[str, float]:
     """Return what can be set freely as it is best for an objective: from several starts on few shots, then on all."""
     club = fitting.set(head, setting)
-    moved = head.replace(**{name: value for name, value in club.items() if name != "lie"})
-    variables = Variables(base=moved, bounds=fitting.free(head, club))
+    held = {name: value for name, value in club.items() if name not in fitting.bounds}
+    variables = Variables(base=adjusted(head, club), bounds=fitting.free(head, club), held=held)
     few = [({name: values[:COARSE] for name, values in sample.items()}, weight) for sample, weight in samples]
-    coarse = _Adjusted(variables, golfer_landings(fitting, head, ball, few), judge, club)
+    coarse = Problem(variables, fitting.landings(head, ball, few), judge, ())
     solution = best([solve(coarse, each) for each in starts(coarse, STARTS, fitting.seed)])
-    problem = _Adjusted(variables, golfers, judge, club)
     if solution is not None and fitting.shots > COARSE:
-        solution = best([solve(problem, solution.point)])
+        solution = best([solve(Problem(variables, golfers, judge, ()), solution.point)])
     if solution is None:
         raise _impossible(head, setting)
-    return problem.variables.club(solution.point)
+    return {name: value for name, value in variables.club(solution.point).items() if name not in held}
 
 
-def _judged(fitting: Fitting, golfers: Any, changes: Mapping[str, float], club: Mapping[str, float]) -> _Judged:
+def _judged(
+    fitting: Fitting, golfers: Sequence[tuple[Landings, float]], changes: Mapping[str, float], club: Mapping[str, float]
+) -> _Judged:
     """Return how a club is judged by all objectives, over all shots and in sets of them."""
     landed = [(each, weight, each.of(club)) for each, weight in golfers]
     whole = judge_sets(fitting.judges, landed, 1)[0]
@@ -266,20 +360,86 @@ def _impossible(head: Club, setting: str) -> InputError:
     )
 
 
-class _Adjusted(Problem):
-    """A problem whose club has settings that its variables do not turn."""
+def combinations_table(fitting: Fitting, combinations: Sequence[Combination]) -> Table:
+    """Return all combinations as a table."""
+    first, *others = (fitting.judge(name) for name in (fitting.objective, *combinations[0].others))
+    changes = dict.fromkeys(name for each in combinations for name in each.changes)
+    best = max((each.value for each in combinations), key=lambda value: -first.sign * value)
+    columns = [
+        text("place", [each.rank for each in combinations], label=""),
+        text("club", [each.club for each in combinations]),
+        text("ball", [each.ball for each in combinations]),
+        text("setting", [each.setting for each in combinations], printed=any(each.setting for each in combinations)),
+        text("changes", [describe_changes(each.changes) for each in combinations], in_files=False,
+             printed=bool(changes)),
+        *(column(f"{name}_change", [each.changes.get(name, 0.0) for each in combinations],
+                 "rad" if name in ("loft", "lie") else "m", printed=False) for name in changes),
+        Column(first.name, [each.value for each in combinations], first.quantity),
+        Column("against_the_best", [each.value - best for each in combinations], first.quantity,
+               "against the best", difference=True),
+        Column("error", [each.error for each in combinations], first.quantity, "±"),
+        *(Column(judge.name, [each.others[judge.name] for each in combinations], judge.quantity) for judge in others),
+    ]  # fmt: skip
+    return Table("combinations", tuple(columns), printed=False)
 
-    def __init__(self, variables: Variables, golfers: Any, judge: Objective, club: Mapping[str, float]) -> None:
-        held = {name: value for name, value in club.items() if name not in variables.fields}
-        super().__init__(variables, [(_Held(each, held), weight) for each, weight in golfers], judge, ())
+
+def _effects_table(fitted: Fitted) -> Table:
+    kinds = [fitted.fitting.judge(each.objective).quantity for each in fitted.effects]
+    columns = (
+        text("part", [each.part for each in fitted.effects]),
+        text("objective", [each.objective for each in fitted.effects], printed=False),
+        text("what counts", [each.label for each in kinds], in_files=False),
+        Column("difference", [each.difference for each in fitted.effects], kinds, "greatest difference"),
+        Column("error", [each.error for each in fitted.effects], kinds, "±"),
+        Column("worth", [fitted.advice.worth[each.objective] for each in fitted.effects], kinds, "worth a change"),
+        text("matters", [each.matters for each in fitted.effects]),
+    )
+    return Table("effects", columns, "Which parts matter, all else being equal")
 
 
-class _Held(Landings):
-    """Landings with a club that has some fields set."""
+def _parts(fitted: Fitted) -> Iterator[Note]:
+    parts = {each.part: [] for each in fitted.effects}
+    for each in fitted.effects:
+        if each.matters:
+            judge = fitted.fitting.judge(each.objective)
+            parts[each.part].append(f"{short_label(judge)} by up to {judge.show(each.difference)}")
+    if idle := [part for part, effects in parts.items() if not effects]:
+        yield note("fitting-parts-idle", parts=idle)
+    if effects := [f"the {part}: {', '.join(effects)}" for part, effects in parts.items() if effects]:
+        yield note("fitting-parts-matter", effects=effects)
 
-    def __init__(self, landings: Landings, held: Mapping[str, float]) -> None:
-        self.__dict__ |= landings.__dict__
-        self._held = held
 
-    def _inputs(self, club: Mapping[str, float]) -> list[Any]:
-        return super()._inputs({**self._held, **club})
+def _notes(fitted: Fitted) -> Iterator[Note]:
+    fitting, leading = fitted.fitting, fitted.leading
+    yield note(
+        "fitting-shots", combinations=len(fitted), shots=fitting.shots, golfers=len(fitting.golfers),
+        club=fitting.clubs[0].name,
+    )  # fmt: skip
+    if leading is not None:
+        by_setting = fitting.settings.get(leading.setting, {})
+        free = {name: leading.changes[name] - by_setting.get(name, 0.0) for name in fitting.bounds}
+        if ends := [name for name, limits in fitting.bounds.items() if advising.is_at_an_end(free[name], limits)]:
+            yield note("fitting-at-an-end", names=ends)
+    if len(fitted) > SHOWN:
+        yield note("fitting-not-shown", hidden=len(fitted) - SHOWN)
+
+
+def fitting_picture(fitted: Fitted) -> Picture:
+    """Return what each alternative gains on the present club; the landings with it where there is no other."""
+    advice = fitted.advice
+    if len(advice.names) == 1:
+        return fitting_landings_picture(fitted)
+    rows = min(len(advice.names) - 1, BARS)
+    caption = "What each alternative gains on the present club"
+    return Picture("fitting", caption, [[advising.gains_panel(advice, BARS)]], height=1.3 + 0.5 * rows)
+
+
+def fitting_landings_picture(fitted: Fitted) -> Picture:
+    """Return where shots land with the present club and with the one that the advice opens with."""
+    fitting, leading = fitted.fitting, fitted.leading
+    clubs, caption = {"present": fitting.landed(0, {})}, "Landings with the present club, which is the best one"
+    if leading is not None:
+        clubs[f"best for {short_label(fitted.advice.objectives[0])}"] = fitting.landed(leading.place, leading.changes)
+        caption = "Landings with the present club and with the best one"
+    panel = landings_panel({name: np.concatenate(each, axis=1) for name, each in clubs.items()})
+    return Picture("fitting-landings", caption, [[panel]], height=3.2)

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES
@@ -24,6 +23,7 @@ from clubface.simulation import core
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, conditions
 from clubface.simulation.inputs import broadcast, equipped, shots
 from clubface.simulation.results import flight_inputs, flight_outputs, input_columns, outputs
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 if TYPE_CHECKING:
@@ -44,18 +44,9 @@ LAUNCH = (*VELOCITY, *SPIN)
 
 @dataclass(frozen=True, kw_only=True)
 class Setting:
-    """What is the same for all clubs: model, ball, air, ground, threads.
+    """What is the same for all clubs, as for :func:`clubface.impact` and :func:`clubface.fly`; 0 threads are all cores.
 
-    Attributes
-    ----------
-    model, parameters, ball
-        As for :func:`clubface.impact`.
-    air, wind, ground
-        As for :func:`clubface.fly`.
-    speed_exponent
-        Clubhead speed is proportional to the mass of the head to minus this power.
-    threads
-        Of the core; 0 for all cores.
+    Clubhead speed is proportional to the mass of the head to minus the power ``speed_exponent``.
     """
 
     model: str
@@ -77,30 +68,17 @@ def own_value(club: Club, field: str) -> float:
 
 
 class Slopes:
-    """Derivatives of the landings, kept in the two factors of the chain rule.
+    """Derivatives of the landings by fields of the club, kept in the two factors of the chain rule."""
 
-    Attributes
-    ----------
-    variables
-        What the club was differentiated by, fields of ``FREE``.
-    """
-
-    def __init__(self, variables: tuple[str, ...], flight: NDArray[Any], launch: NDArray[Any]) -> None:
-        self.variables = variables
+    def __init__(self, flight: Floats, launch: Floats) -> None:
         self._flight, self._launch = flight, launch
 
-    def gradient(self, weights: NDArray[Any]) -> NDArray[Any]:
-        """Return the derivatives of the sum of weights times landings, shape (variables,).
-
-        Parameters
-        ----------
-        weights
-            Of what is known of every shot, shape (landings, shots).
-        """
+    def gradient(self, weights: Floats) -> Floats:
+        """Return the derivatives of the sum of weights, shape (landings, shots), times landings, shape (variables,)."""
         by_launch = np.einsum("on,oin->in", weights, self._flight)
         return np.einsum("in,ijn->j", by_launch, self._launch)
 
-    def each(self) -> NDArray[Any]:
+    def each(self) -> Floats:
         """Return the derivatives of every landing, shape (landings, variables, shots)."""
         return np.einsum("oin,ijn->ojn", self._flight, self._launch)
 
@@ -108,23 +86,9 @@ class Slopes:
 class Landings:
     """The shots of one golfer with clubs that differ from a base in some fields.
 
-    Parameters
-    ----------
-    base
-        The club with which the golfer delivers as sampled.
-    deliveries
-        Values of the deliveries by name [SI], each of shape (shots,); without a loft it is the club's.
-    setting
-        Model, ball and air.
-
-    Attributes
-    ----------
-    count
-        The number of shots that are computed.
-    missed
-        The number of shots that miss the face of the base club; they are left out.
-    kept
-        Which of the deliveries are computed: their indices, shape (count,).
+    The golfer delivers the base club as sampled: ``deliveries`` are values by name [SI], each of shape (shots,);
+    without a loft it is the club's. Of the shots, ``count`` are computed; ``kept`` are their indices, and ``missed``
+    is how many miss the face of the base club and are left out.
     """
 
     def __init__(self, base: Club, deliveries: Mapping[str, Any], setting: Setting) -> None:
@@ -160,15 +124,14 @@ class Landings:
                 columns[place["lie"]] = columns[place["lie"]] + value
             elif name == "mass":
                 columns[place["club_mass"]] = value
-                columns[place["speed"]] = columns[place["speed"]] * self._slower(value)
+                columns[place["speed"]] = (
+                    columns[place["speed"]] * (value / self.base.mass) ** -self.setting.speed_exponent
+                )
             else:
                 columns[place[name]] = value
         return columns
 
-    def _slower(self, mass: float) -> float:
-        return (mass / self.base.mass) ** -self.setting.speed_exponent
-
-    def _flights(self, launches: NDArray[Any], columns: list[Any]) -> list[Any]:
+    def _flights(self, launches: Floats, columns: list[Any]) -> list[Any]:
         """Return the columns of the flights of launches, rows in the order of ``LAUNCH``."""
         place = input_columns()
         given: dict[str, Any] = {name: each.default for name, each in flight_inputs().items()}
@@ -177,7 +140,7 @@ class Landings:
         given |= dict(zip(LAUNCH, launches, strict=True))
         return list(given.values())
 
-    def of(self, club: Mapping[str, float]) -> NDArray[Any]:
+    def of(self, club: Mapping[str, float]) -> Floats:
         """Return the landings [m] with a club that differs by the fields given, shape (landings, shots).
 
         All are NaN if there is no such club.
@@ -191,12 +154,12 @@ class Landings:
         flown, _ = core.fly(self._flights(launches, columns), self.count, self.setting.threads)
         return flown[[list(flight_outputs()).index(name) for name in LANDING]]
 
-    def split(self, landed: NDArray[Any], sets: int) -> list[NDArray[Any]]:
+    def split(self, landed: Floats, sets: int) -> list[Floats]:
         """Return landings in sets of deliveries that follow each other, the same deliveries whatever the club."""
         ends = np.linspace(0, self.count + self.missed, sets + 1).round()[1:-1]
         return np.split(landed, np.searchsorted(self.kept, ends), axis=1)
 
-    def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[NDArray[Any], Slopes]:
+    def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[Floats, Slopes]:
         """Return the landings of :meth:`of`, and their derivatives by fields of the club."""
         columns, place = self._inputs(club), input_columns()
         wanted: dict[str, list[tuple[int, Any]]] = {}
@@ -220,7 +183,7 @@ class Landings:
             [known.index(name) for name in LANDING], [flights.index(name) for name in LAUNCH], self.setting.threads,
         )  # fmt: skip
         flown = flown.reshape(len(LANDING), 1 + len(LAUNCH), self.count)
-        return flown[:, 0], Slopes(variables, flown[:, 1:], launch)
+        return flown[:, 0], Slopes(flown[:, 1:], launch)
 
     def _driven(self, name: str, club: Mapping[str, float], columns: list[Any]) -> list[tuple[str, Any]]:
         """Return the inputs of an impact that a field of the club changes, each with its derivative."""
@@ -240,37 +203,22 @@ FINE, ROUGH = 1e-8, 1e-6
 """Precisions: of what is smooth, but for 1e-9 that the steps of flights leave in a mean, and of expected strokes, which
 have kinks in distance and where a single ball begins to slide as it bounces."""
 
-Judged = tuple[float, "NDArray[Any]"]
+Judged = tuple[float, "Floats"]
 """A value, and its derivatives by every landing, of the shape of the landings."""
 
 
 class Objective(NamedTuple):
-    """One way to judge landings.
+    """One way to judge landings [m], whose rows are those of ``LANDING``.
 
-    Attributes
-    ----------
-    name
-        As a study file names it.
-    meaning
-        In a line.
-    dimension, unit
-        Of the value, and the unit it is shown in.
-    sign
-        -1 if more is better, +1 if less is.
-    judge
-        From landings [m], rows as in ``landings.LANDING``, to the value and its derivatives.
-    one_shot
-        Whether a single shot has it.
-    precision
-        Part of its value to which it is made best.
+    ``sign`` is -1 if more is better and +1 if less is; ``judge`` gives the value and its derivatives by every landing;
+    ``one_shot`` says whether a single shot has it, and ``precision`` to which part of its value it is made best.
     """
 
     name: str
     meaning: str
-    dimension: str
     unit: str
     sign: float
-    judge: Callable[[NDArray[Any]], Judged]
+    judge: Callable[[Floats], Judged]
     one_shot: bool
     precision: float = FINE
 
@@ -291,21 +239,18 @@ _HEADINGS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
 """Headings of objectives whose names are no words."""
 
 
-def carry(landed: NDArray[Any]) -> Judged:
-    """Judge by the mean carry [m]."""
-    weights = np.zeros_like(landed)
-    weights[0] = 1.0 / landed.shape[1]
-    return float(landed[0].mean()), weights
+def _mean_of(row: int) -> Callable[[Floats], Judged]:
+    """Return what judges by the mean of a row of ``LANDING``."""
+
+    def judge(landed: Floats) -> Judged:
+        weights = np.zeros_like(landed)
+        weights[row] = 1.0 / landed.shape[1]
+        return float(landed[row].mean()), weights
+
+    return judge
 
 
-def total(landed: NDArray[Any]) -> Judged:
-    """Judge by the mean distance to where balls come to rest [m]."""
-    weights = np.zeros_like(landed)
-    weights[2] = 1.0 / landed.shape[1]
-    return float(landed[2].mean()), weights
-
-
-def side_spread(landed: NDArray[Any]) -> Judged:
+def side_spread(landed: Floats) -> Judged:
     """Judge by the standard deviation of the side [m], 0 for a single shot."""
     weights, deviation = np.zeros_like(landed), landed[1] - landed[1].mean()
     spread = math.sqrt(float(np.mean(deviation**2)))
@@ -314,7 +259,7 @@ def side_spread(landed: NDArray[Any]) -> Judged:
     return spread, weights
 
 
-def ellipse(landed: NDArray[Any]) -> Judged:
+def ellipse(landed: Floats) -> Judged:
     """Judge by the area [m2] of the ellipse that holds ``SHARE`` of shots with this mean and covariance.
 
     With the covariance C of the distance down the target line and of the side it is pi q sqrt(det C), where q is the
@@ -338,13 +283,15 @@ def ellipse(landed: NDArray[Any]) -> Judged:
 OBJECTIVES = {
     each.name: each
     for each in (
-        Objective("carry", "mean carry", "length", "yd", -1.0, carry, True),
-        Objective("total", "mean total distance", "length", "yd", -1.0, total, True, ROUGH),
-        Objective("side_spread", "standard deviation of the side", "length", "yd", 1.0, side_spread, False),
-        Objective("ellipse", f"area of the ellipse of {SHARE:.0%} of the landings", "area", "m2", 1.0, ellipse, False),
+        Objective("carry", "mean carry", "yd", -1.0, _mean_of(0), True),
+        Objective("total", "mean total distance", "yd", -1.0, _mean_of(2), True, ROUGH),
+        Objective("side_spread", "standard deviation of the side", "yd", 1.0, side_spread, False),
+        Objective("ellipse", f"area of the ellipse of {SHARE:.0%} of the landings", "m2", 1.0, ellipse, False),
     )
 }
 """The ways to judge that need nothing but landings."""
+JUDGED = {**{name: each.unit for name, each in OBJECTIVES.items()}, "strokes": "1"}
+"""The unit of every objective."""
 
 
 EDGE = 4.0
@@ -356,7 +303,7 @@ _STEP = 1e-3
 def strokes(hole: Hole) -> Objective:
     """Return the objective of the strokes expected on a hole after the shot, by where balls come to rest."""
 
-    def judge(landed: NDArray[Any]) -> Judged:
+    def judge(landed: Floats) -> Judged:
         total, side = landed[2], landed[3]
         ahead = np.sqrt(np.maximum(total**2 - side**2, 1e-12))
         value, by_ahead, by_side = _after(hole, ahead, side)
@@ -366,10 +313,10 @@ def strokes(hole: Hole) -> Objective:
         return float(value.mean()), weights / landed.shape[1]
 
     meaning = f"mean strokes to hole out after the shot, {units.fixed(hole.length, 'yd', 0)} hole"
-    return Objective("strokes", meaning, units.DIMENSIONLESS, "1", 1.0, judge, True, ROUGH)
+    return Objective("strokes", meaning, "1", 1.0, judge, True, ROUGH)
 
 
-def _after(hole: Hole, ahead: NDArray[Any], side: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+def _after(hole: Hole, ahead: Floats, side: Floats) -> tuple[Floats, Floats, Floats]:
     """Return strokes after balls have come to rest, and their derivatives by the place.
 
     They are those of ``Hole.after``, but for a band of ``EDGE`` where a ball lies partly in either of two lies.
@@ -389,13 +336,13 @@ def _after(hole: Hole, ahead: NDArray[Any], side: NDArray[Any]) -> tuple[NDArray
     return value, -by_left * (hole.length - ahead) / left, by_left * side / left + by_off * np.sign(side)
 
 
-def _step(beyond: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+def _step(beyond: Floats) -> tuple[Floats, Floats]:
     """Return how far a ball is across an edge, 0 to 1 without a corner, and the derivative."""
     part = np.clip(beyond / EDGE + 0.5, 0.0, 1.0)
     return part**2 * (3.0 - 2.0 * part), 6.0 * part * (1.0 - part) / EDGE
 
 
-def _lie(name: str, left: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+def _lie(name: str, left: Floats) -> tuple[Floats, Floats]:
     above, below = expected(name, left + _STEP), expected(name, np.maximum(left - _STEP, 0.0))
     return 0.5 * (above + below), (above - below) / (2.0 * _STEP)
 

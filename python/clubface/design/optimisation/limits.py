@@ -3,153 +3,100 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, Envelope, of_club, pseudo_inertia, pseudo_inertia_derivatives
-from clubface.design.optimisation.landings import Objective
-from clubface.design.optimisation.solve import State
+from clubface.support.arrays import Floats
 
 if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 
-def in_words(value: float, low: float, high: float, unit: str) -> tuple[str, str]:
-    """Return a value, and the limits that are finite, with their unit."""
-    parts = [words for each, words in ((low, "at least"), (high, "at most")) if math.isfinite(each)]
-    shown = [units.show(each, unit, 4) for each in (low, high) if math.isfinite(each)]
-    allowed = f"{shown[0]} to {shown[1]}" if len(shown) == 2 else " ".join([*parts, *shown])
-    return units.show(value, unit, 5), allowed
+@dataclass(frozen=True)
+class State:
+    """What is known at a point of an optimiser, by the names of fields and of objectives.
+
+    ``club`` has the fields of the club that may change [SI], and ``judged`` the objectives in use, the mean over the
+    golfers. ``slopes`` and ``gradients`` are their derivatives by the numbers of the optimiser, each of shape
+    (numbers,); there are no ``gradients`` where they were not asked for.
+    """
+
+    club: Mapping[str, float]
+    slopes: Mapping[str, Floats]
+    judged: Mapping[str, float]
+    gradients: Mapping[str, Floats]
 
 
 @dataclass(frozen=True, kw_only=True)
-class FieldLimit:
-    """A field of the club that must stay within limits.
+class RangeLimit:
+    """A field of the club, or an objective, that must stay within limits [SI], which are infinite where there is none.
 
-    Attributes
-    ----------
-    name
-        What the limit is called in reports.
-    field
-        The field of the club.
-    least, most
-        [SI]; infinite where there is none.
-    unit
-        In which the field is shown.
-    scale
-        Size of the field, which makes margins numbers [SI].
-    fields
-        All fields that change, in the order of the slopes.
+    The limit has its ``name`` in reports; ``limited`` is what is limited. Margins are made numbers by the ``size``
+    [SI], or by that of each limit itself.
     """
 
     name: str
-    field: str
+    limited: str
     least: float
     most: float
     unit: str
-    scale: float
-    fields: tuple[str, ...]
+    size: float | None = None
 
-    def margins(self, state: State) -> NDArray[Any]:
+    def margins(self, state: State) -> Floats:
         """Return the distance from each limit."""
-        value = state.club[self.field]
-        return np.array([side * (value - limit) / self.scale for side, limit in self._sides()])
+        value = {**state.club, **state.judged}[self.limited]
+        return np.array([side * (value - limit) / size for side, limit, size in self._sides()])
 
-    def gradients(self, state: State) -> NDArray[Any]:
+    def gradients(self, state: State) -> Floats:
         """Return the derivatives of the margins."""
-        slope = state.slopes[self.fields.index(self.field)]
-        return np.array([side * slope / self.scale for side, _ in self._sides()])
+        slope = {**state.slopes, **state.gradients}[self.limited]
+        return np.array([side * slope / size for side, _, size in self._sides()])
 
     def describe(self, state: State) -> tuple[str, str]:
         """Return the value of a club and the values allowed, in words."""
-        return in_words(state.club[self.field], self.least, self.most, self.unit)
+        allowed = " to ".join(units.show(limit, self.unit, 4) for _, limit, _ in self._sides())
+        if len(self._sides()) == 1:
+            allowed = f"{'at least' if math.isfinite(self.least) else 'at most'} {allowed}"
+        return units.show({**state.club, **state.judged}[self.limited], self.unit, 5), allowed
 
-    def _sides(self) -> list[tuple[float, float]]:
-        return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
-
-
-@dataclass(frozen=True, kw_only=True)
-class ShotLimit:
-    """A number of the shots, such as the mean carry, that must stay within limits.
-
-    Attributes
-    ----------
-    objective
-        The number.
-    least, most
-        [SI]; infinite where there is none.
-    """
-
-    objective: Objective
-    least: float
-    most: float
-
-    @property
-    def name(self) -> str:
-        """What the limit is called in reports."""
-        return self.objective.meaning
-
-    def margins(self, state: State) -> NDArray[Any]:
-        """Return the distance from each limit, as a part of it."""
-        value = state.judged[self.objective.name]
-        return np.array([side * (value - limit) / max(abs(limit), 1e-9) for side, limit in self._sides()])
-
-    def gradients(self, state: State) -> NDArray[Any]:
-        """Return the derivatives of the margins."""
-        slope = state.gradients[self.objective.name]
-        return np.array([side * slope / max(abs(limit), 1e-9) for side, limit in self._sides()])
-
-    def describe(self, state: State) -> tuple[str, str]:
-        """Return the value of a club and the values allowed, in words."""
-        return in_words(state.judged[self.objective.name], self.least, self.most, self.objective.unit)
-
-    def _sides(self) -> list[tuple[float, float]]:
-        return [each for each in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(each[1])]
+    def _sides(self) -> list[tuple[float, float, float]]:
+        return [
+            (side, limit, self.size or max(abs(limit), 1e-9))
+            for side, limit in ((1.0, self.least), (-1.0, self.most)) if math.isfinite(limit)
+        ]  # fmt: skip
 
 
 class Buildable:
     """The discretionary mass must be mass in the volume, and within its budget.
 
-    Parameters
-    ----------
-    base
-        The club whose mass properties hold where they do not change.
-    envelope
-        Volume, shell and budget.
-    fields
-        All fields that change, in the order of the slopes.
-    distributed
-        Whether the variables make the moments positive semidefinite by themselves.
-    mass_changes
-        Whether the mass does; otherwise the budget is no limit, and a solver would stumble over a margin that is 0.
+    Where the mass properties among ``fields`` do not change, they are those of ``base``. Where the mass is
+    ``distributed``, the variables make the moments positive semidefinite by themselves; unless the mass changes, the
+    budget is no limit, and a solver would stumble over a margin that is 0.
     """
 
     name = "the head"
 
     def __init__(
-        self, base: Club, envelope: Envelope, fields: Sequence[str], *, distributed: bool, mass_changes: bool
+        self, base: Club, envelope: Envelope, fields: tuple[str, ...], *, distributed: bool, mass_changes: bool
     ) -> None:
         self.envelope, self._values, self._distributed = envelope, of_club(base), distributed
         self._mass_changes = mass_changes
-        self._changing = [
-            (MASS_PROPERTIES.index(name), row) for row, name in enumerate(fields) if name in MASS_PROPERTIES
-        ]
-        self._fields = tuple(fields)
+        self._changing = [name for name in fields if name in MASS_PROPERTIES]
         self._forms = np.array([each.matrix for each in envelope.volume.forms()])
 
-    def values(self, state: State) -> NDArray[Any]:
+    def values(self, state: State) -> Floats:
         """Return the mass properties of a head, in the order of ``MASS_PROPERTIES``."""
         result = self._values.copy()
-        for place, row in self._changing:
-            result[place] = state.club[self._fields[row]]
+        for name in self._changing:
+            result[MASS_PROPERTIES.index(name)] = state.club[name]
         return result
 
-    def margins(self, state: State) -> NDArray[Any]:
+    def margins(self, state: State) -> Floats:
         """Return the traces, the rest of the budget and, where it may be negative, every principal moment."""
         placed = self.envelope.placed(pseudo_inertia(self.values(state)))
         result = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
@@ -165,11 +112,11 @@ class Buildable:
         margins = self.envelope.margins(pseudo_inertia(self.values(state)))
         return "impossible", f"one that can be built: {min(margins, key=lambda each: each.value).reason}"
 
-    def gradients(self, state: State) -> NDArray[Any]:
+    def gradients(self, state: State) -> Floats:
         """Return their derivatives; that of an eigenvalue is its vector's change (Magnus, 1985)."""
         values, budget = self.values(state), self.envelope.budget
-        by_values = pseudo_inertia_derivatives(values)
-        by_numbers = sum(by_values[place][..., None] * state.slopes[row] for place, row in self._changing)
+        by_name = dict(zip(MASS_PROPERTIES, pseudo_inertia_derivatives(values), strict=True))
+        by_numbers = sum(by_name[name][..., None] * state.slopes[name] for name in self._changing)
         assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
         result = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
         if self._mass_changes:
@@ -180,3 +127,7 @@ class Buildable:
             vectors = np.linalg.eigh(placed)[1] * scale[:, None]
             result.append(np.einsum("ik,ijn,jk->kn", vectors, by_numbers, vectors))
         return np.concatenate(result)
+
+
+Limit = RangeLimit | Buildable
+"""One or several margins, scaled to size 1, that must not be negative."""

@@ -1,32 +1,51 @@
-"""What an optimisation found: the club, what it is judged by on fresh shots, and the verdict of every limit."""
+"""What an optimisation found: the club, what it is judged by on fresh shots, every limit; and its result."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design import feasibility
-from clubface.design.optimisation.advice import Advice, adds_nothing, describe_conditions, describe_golfers
-from clubface.design.optimisation.landings import FREE, own_value
-from clubface.design.optimisation.study import DIMENSIONS, UNITS, DesignStudy, field_quantity, shown_quantity
+from clubface.design.golfer import golfer_sources
+from clubface.design.optimisation import advice as advising
+from clubface.design.optimisation.advice import CERTAIN, Advice, AdvisedStudy
+from clubface.design.optimisation.fitting import change_words
+from clubface.design.optimisation.landings import FREE, SHARE, own_value
+from clubface.design.optimisation.study import UNITS, DesignStudy, field_quantity, shown_quantity
 from clubface.design.optimisation.variables import PointMass, placement
+from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
+from clubface.equipment.rules import RuleVerdict
 from clubface.errors import RuleWarning
 from clubface.quantities import Quantity, Reading
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
 from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
+from clubface.simulation.impact import impact
+from clubface.simulation.provenance import flight_conditions, provenance_of
+from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
 FEW_FIELDS = 2
 """Most fields by whose values a club is named."""
 ACTIVE = 1e-4
 """A margin, as a part of the limit or of the range, below which a limit is what stops the optimum."""
+CLUBS = ("start", "nominal", "optimum")
+"""The clubs that every optimisation compares."""
+ONE_PLACE = 2e-4
+"""Distance [m] within which point masses are shown as one."""
+LEAST_SHOWN = 5e-5
+"""Point masses below this are not printed [kg]."""
+DRAWN_POINTS = 400
+"""Shots of a golfer that are drawn."""
 
 
 @dataclass(frozen=True)
@@ -48,10 +67,10 @@ class Fresh:
     shots: int
     clubs: tuple[str, ...]
     objectives: tuple[str, ...]
-    sets: NDArray[Any]
+    sets: Floats
 
     @property
-    def values(self) -> NDArray[Any]:
+    def values(self) -> Floats:
         """Values over all sets [SI], shape (clubs, objectives)."""
         return self.sets.mean(axis=0)
 
@@ -180,7 +199,7 @@ class Optimum(Described):
         clubs = {f"present {study.club.name}": "start", self._words("optimum"): "optimum"}
         for name in self.rivals:
             known = [self.fresh.value(club, name) for club in clubs.values()]
-            if not adds_nothing(study.objective(name), study.worth[name], self.fresh.value(name, name), known):
+            if not advising.adds_nothing(study.objective(name), study.worth[name], self.fresh.value(name, name), known):
                 clubs[self._words(name)] = name
         if self.nominal and not study.limits_shots:
             clubs.setdefault(self._words("nominal"), "nominal")
@@ -192,12 +211,9 @@ class Optimum(Described):
         study = self.study
         rows = [self.fresh.clubs.index(name) for name in self.compared.values()]
         columns = [self.fresh.objectives.index(each.name) for each in study.advised]
-        return Advice(
-            purpose=study.objectives[0], golfer=describe_golfers(study.golfers), objectives=study.advised,
-            names=tuple(self.compared), values=self.fresh.values[np.ix_(rows, columns)],
-            sets=self.fresh.sets[:, rows][:, :, columns].swapaxes(0, 1), worth=study.worth, choices=(1,),
-            conditions=describe_conditions(study.setting, study.hole, self.fresh.shots),
-            assumed_hole=study.hole is None and study.counted_hole is not None,
+        return study.advice(
+            tuple(self.compared), self.fresh.values[np.ix_(rows, columns)],
+            self.fresh.sets[:, rows][:, :, columns].swapaxes(0, 1), self.fresh.shots, choices=(1,),
         )  # fmt: skip
 
     def fields(self, club: str) -> Mapping[str, float]:
@@ -214,9 +230,25 @@ class Optimum(Described):
 
     def to_result(self) -> Result:
         """Return the optimum as a result."""
-        from clubface.design.optimisation.optimum_result import optimum_result
-
-        return optimum_result(self)
+        advice = self.advice
+        tables = [_club_table(self), *advising.advice_tables(advice), _fresh_table(self), _limits_table(self)]
+        if masses := self.placed():
+            tables.append(placement_table(masses))
+        if self.front:
+            tables.append(_front_table(self))
+        counts = {
+            "starts": self.starts, "starts_alike": self.alike, "steps": self.steps, "shots": self.shots,
+            "missed": self.missed, "fresh_shots": self.fresh.shots,
+        }  # fmt: skip
+        provenance = study_provenance(self.study, [self.study.club, self.built])
+        return Result(
+            kind="optimum", title=self.study.title, tables=tuple(tables),
+            values=tuple(text(name, [value], printed=False) for name, value in counts.items()),
+            lead=tuple(advising.advice_lead(advice)), summary=tuple(_summary(self)),
+            notes=(*_notes(self), *advising.advice_notes(advice)),
+            provenance=provenance + Provenance(descriptions={"the-best-club.toml": self.built.to_toml()}),
+            draw=lambda: [optimum_picture(self)],
+        )  # fmt: skip
 
     def placed(self) -> list[PointMass]:
         """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""
@@ -248,7 +280,7 @@ class Optimum(Described):
 
 def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:
     """Return the club of a study with fields changed; its lie, which no club file has, is left out."""
-    own = {field: value for field, value in changes.items() if field in DIMENSIONS and field != "lie"}
+    own = {field: value for field, value in changes.items() if field in UNITS and field != "lie"}
     called = name or f"{study.club.name}-optimum"
     source = f"optimised from {study.club.name}: {study.title}"
     with without_warnings(RuleWarning):
@@ -256,7 +288,7 @@ def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None =
         return made.replace(sources={**made.sources, **dict.fromkeys(own, source)})
 
 
-def _of_rule(each: Any, tolerance: bool) -> Verdict:
+def _of_rule(each: RuleVerdict, tolerance: bool) -> Verdict:
     limit = each.rule.limit if tolerance else each.rule.most
     quantity = shown_quantity(each.rule.name, each.rule.unit)
     return Verdict(f"rules: {each.rule.title}", quantity, each.value, -math.inf, limit, (limit - each.value) / limit)
@@ -276,3 +308,276 @@ def _of_range(name: str, value: float, low: float, high: float, quantity: Quanti
     size = high - low if len(sides) == 2 else max([*sides, 1e-12])
     margin = min(value - low, high - value) / size
     return Verdict(name, quantity, value, low, high, float(np.round(margin, 12)))
+
+
+def study_provenance(study: AdvisedStudy, clubs: Sequence[Club], balls: Sequence[Ball | None] = (None,)) -> Provenance:
+    """Return for whom, with how many shots, with which equipment and in which air a study was solved."""
+    golfers = ", ".join(
+        (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(study.golfers) > 1 else "")
+        for golfer, weight in study.golfers
+    )
+    inputs = {"golfers": golfers, "shots": str(study.shots), "seed": str(study.seed)}
+    if study.hole is not None:
+        inputs["hole"] = study.hole.describe()
+    setting = study.setting
+    launches = [
+        impact(
+            club, golfer.for_hand(club.hand).delivery(), model=setting.model, parameters=setting.parameters,
+            ball=setting.ball if ball is None else ball,
+        )
+        for club in clubs for ball in balls for golfer, _ in study.golfers
+    ]  # fmt: skip
+    sources = [each for golfer, _ in study.golfers for each in golfer_sources(golfer)]
+    return provenance_of(
+        launches, inputs | flight_conditions(air=setting.air, wind=setting.wind, ground=setting.ground), sources
+    )
+
+
+def _club_table(optimum: Optimum) -> Table:
+    """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
+    kinds = [field_quantity(name) for name in optimum.club]
+    bounds = [optimum.study.bounds.get(name, (None, None)) for name in optimum.club]
+    labels = {"nominal": "best for the mean delivery"}
+    labels |= {name: f"best for {name.replace('_', ' ')}" for name in optimum.rivals}
+    columns = (
+        text("field", list(optimum.club)),
+        *(Column(club if club in ("start", "nominal", "optimum") else f"best_for_{club}",
+                 [optimum.fields(club).get(name) for name in optimum.club], kinds, labels.get(club, ""), digits=-4)
+          for club in optimum.fresh.clubs),
+        Column("least", [low for low, _ in bounds], kinds, "least allowed", digits=-4),
+        Column("most", [high for _, high in bounds], kinds, "most allowed", digits=-4),
+    )  # fmt: skip
+    return Table("club", columns)
+
+
+def _fresh_table(optimum: Optimum) -> Table:
+    """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
+    judges = optimum.study.known()
+    kinds = [each.quantity for each in judges]
+    values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in CLUBS}
+    labels = {"start": "start", "nominal": "best for the mean delivery", "optimum": "optimum"}
+    columns = [
+        text("objective", [each.name for each in judges], printed=False),
+        text("what", [each.label for each in kinds], in_files=False),
+        *(Column(club, each, kinds, labels[club]) for club, each in values.items()),
+    ]
+    for club in CLUBS[:2]:
+        gains = [best - other for best, other in zip(values["optimum"], values[club], strict=True)]
+        errors = [optimum.fresh.error(club, each.name) for each in judges]
+        columns += [
+            Column(f"gain_on_{club}", gains, kinds, f"against {labels[club]}", difference=True),
+            Column(f"error_of_gain_on_{club}", errors, kinds, "±"),
+        ]
+    solved = [optimum.judged.get(each.name) for each in judges]
+    return Table(
+        "fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots", printed=False
+    )
+
+
+def _limits_table(optimum: Optimum) -> Table:
+    verdicts = optimum.verdicts()
+    kinds = [each.quantity for each in verdicts]
+    ends = [[end if math.isfinite(end) else None for end in (each.least, each.most)] for each in verdicts]
+    columns = (
+        text("limit", [each.limit.removeprefix("the ") for each in verdicts]),
+        Column("optimum", [each.value for each in verdicts], kinds, digits=-5),
+        Column("least", [low for low, _ in ends], kinds, digits=-4),
+        Column("most", [high for _, high in ends], kinds, digits=-4),
+        text("margin", [each.margin for each in verdicts], printed=False),
+        text("verdict", [each.state for each in verdicts]),
+    )
+    return Table("limits", columns, "Limits")
+
+
+def placement_table(masses: Sequence[Any]) -> Table:
+    """Return point masses that are one way to place the discretionary mass, those of one place together."""
+    grouped: list[tuple[tuple[float, ...], list[float]]] = []
+    for each in masses:  # the heaviest first
+        near = [group for place, group in grouped if math.dist(place, each.place) < ONE_PLACE]
+        if near:
+            near[0].append(each.mass)
+        else:
+            grouped.append((each.place, [each.mass]))
+    grouped.sort(key=lambda group: -sum(group[1]))
+    sums = [sum(group) for _, group in grouped]
+    columns = (
+        column("mass", sums, digits=1),
+        *(
+            column(f"{name}", [place[row] for place, _ in grouped], "m", label=label, unit="mm", digits=1)
+            for row, (name, label) in enumerate((("x", "x, to the target"), ("y", "y, up"), ("z", "z, to the toe")))
+        ),
+    )
+    return Table(
+        "placement", columns, "One way to place the discretionary mass, seen from the face centre",
+        shown_rows=[place for place, each in enumerate(sums) if each >= LEAST_SHOWN],
+    )  # fmt: skip
+
+
+def _front_table(optimum: Optimum) -> Table:
+    judges = [optimum.study.objective(name) for name in optimum.study.objectives]
+    columns = [
+        Column(each.name, [point.values[each.name] for point in optimum.front], each.quantity) for each in judges
+    ]
+    columns += [Column(name, [point.club[name] for point in optimum.front], field_quantity(name), digits=-4)
+                for name in optimum.club]  # fmt: skip
+    return Table("front", tuple(columns), "Pareto front")
+
+
+def _summary(optimum: Optimum) -> Iterator[Note]:
+    yield note("optimum-on-fresh-shots")
+    for judge in optimum.study.known():
+        before, after = (judge.show(optimum.fresh.value(club, judge.name)) for club in ("start", "optimum"))
+        yield note("optimum-change", meaning=judge.meaning, before=before, after=after)
+    moved = {
+        name: optimum.club[name] - own_value(optimum.study.club, name)
+        for name in ("cg_x", "cg_y", "cg_z")
+        if name in optimum.club
+    }  # fmt: skip
+    words = change_words(moved)
+    if "cg_x" in words:
+        words["cg_x"] = words["cg_x"].replace("mm ", "mm farther ")
+    if words:
+        yield note("optimum-cg-moved", moved=list(words.values()))
+    for name, meaning in (("iyy", "moment of inertia about the vertical axis"), ("bulge", "bulge"), ("roll", "roll")):
+        if name in optimum.club:
+            ends = own_value(optimum.study.club, name), optimum.club[name]
+            before, after = (units.show(each, UNITS[name], 4) for each in ends)
+            if before != after:
+                yield note("optimum-change", meaning=meaning, before=before, after=after)
+    if angles := [name for name in ("loft", "lie") if name in optimum.club and name in optimum.study.bounds]:
+        yield note(
+            "optimum-angles", angles=[f"a {name} of {units.fixed(optimum.club[name], 'deg', 1)}" for name in angles]
+        )
+
+
+def _notes(optimum: Optimum) -> Iterator[Note]:
+    study = optimum.study
+    yield note(
+        "optimum-starts",
+        alike=optimum.alike,
+        starts=optimum.starts,
+        meaning=study.objective(study.objectives[0]).meaning,
+    )
+    yield note("optimum-shots", shots=optimum.shots, fresh=optimum.fresh.shots)
+    if optimum.missed:
+        yield note("optimum-missed", missed=optimum.missed)
+    yield _against_nominal(optimum)
+    if stopping := [each.limit for each in optimum.verdicts() if each.state == "kept, at the limit"]:
+        yield note("optimum-stopped-by", limits=stopping)
+    beyond = [each for each in study.rule_values(optimum.built) if each.conforms and each.value > each.rule.most]
+    if study.conform and beyond:
+        rules = [
+            f"{each.rule.title} {units.show(each.value, each.rule.unit, 4)}, limit "
+            f"{units.show(each.rule.most, each.rule.unit, 4)}"
+            for each in beyond
+        ]
+        yield note("optimum-tolerances", rules=rules)
+    envelope = study.variables.envelope
+    if envelope is not None and envelope.volume is not envelope.whole:
+        size, centre = (
+            [f"{1e3 * each:.0f}" for each in values] for values in (envelope.volume.size, envelope.volume.centre)
+        )
+        yield note("optimum-ellipsoid", club=study.club.name, size=size, centre=centre)
+    if study.moves_mass and not optimum.placed():
+        yield note("optimum-not-placed")
+    if "lie" in optimum.club:
+        yield note("optimum-lie")
+    if "mass" in study.bounds:
+        yield note("optimum-speed", exponent=study.setting.speed_exponent)
+    if "loft" in optimum.club:
+        yield note("optimum-loft")
+
+
+def _against_nominal(optimum: Optimum) -> Note:
+    """Return whether the optimum is better than the club that is best for the mean delivery alone."""
+    name = optimum.study.objectives[0]
+    if optimum.study.limits_shots:
+        return note("optimum-limits-of-shots")
+    robust, nominal = (optimum.fresh.value(club, name) for club in ("optimum", "nominal"))
+    gain, error = optimum.study.objective(name).sign * (nominal - robust), optimum.fresh.error("nominal", name)
+    if abs(gain) <= CERTAIN * error:
+        return note("optimum-nominal-like")
+    return note("optimum-nominal-worse" if gain > 0.0 else "optimum-nominal-better")
+
+
+def optimum_picture(optimum: Optimum) -> Picture:
+    """Return the landings with the start and with the optimum, and the front or every field in its bounds."""
+    golfers = optimum.study.landings(optimum.study.shots, seed=optimum.study.seed + 1)
+    clubs: dict[str, Any] = {"start": {}, "optimum": optimum.club}
+    landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
+    panels: list[Panel | None] = [landings_panel(landed)]
+    if optimum.front:
+        panels.append(_front_panel(optimum))
+    elif any(name in optimum.study.bounds for name in optimum.club):
+        panels.append(_bounds_panel(optimum))
+    return Picture(
+        "optimum", "Landings with the club at the start and with the optimum, and what changed", [panels],
+        widths=[1.0, 1.2][: len(panels)], height=3.4,
+    )  # fmt: skip
+
+
+def landings_panel(landed: Mapping[str, Floats]) -> Panel:
+    """Return where shots come down and the ellipses that hold ``SHARE`` of them.
+
+    Parameters
+    ----------
+    landed
+        Carry and side [m] by what made them, each of shape (landings, shots).
+    """
+    marks, ellipses = [], []
+    for style, (name, values) in enumerate(landed.items()):
+        side, down = values[1], np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0))
+        marks.append(Mark("points", side[:DRAWN_POINTS], down[:DRAWN_POINTS], style=style, symbol="", size=2.5))
+        ellipses.append(_ellipse(side, down))
+        marks.append(Mark("line", *ellipses[-1], style=style, label=name))
+    # The ellipses set the frame: a topped ball far behind would make all others small.
+    drawn = np.hstack(ellipses)
+    middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
+    (left, low), (right, high) = middle - half, middle + half
+    return Panel(
+        marks, axis("side", "side, right is positive", limits=(float(left), float(right))),
+        axis("carry", "distance down the line", limits=(float(low), float(high))),
+        f"Landings, with the ellipses of {SHARE:.0%}", equal=True, legend=True,
+    )  # fmt: skip
+
+
+def _ellipse(side: Floats, down: Floats) -> Floats:
+    """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
+    values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
+    angle = np.linspace(0.0, 2.0 * math.pi, 200)
+    circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
+    around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
+    return np.array([[side.mean()], [down.mean()]]) + around
+
+
+def _front_panel(optimum: Optimum) -> Panel:
+    one, other = (optimum.study.objective(name) for name in optimum.study.objectives)
+    x, y = ([point.values[each.name] for point in optimum.front] for each in (one, other))
+    # The start is judged on the same shots as the front only nearly: on fresh ones.
+    start = [[optimum.fresh.value("start", each.name)] for each in (one, other)]
+    marks = [
+        Mark("line", x, y, style=1, dash=0), Mark("points", x, y, style=1, label="front"),
+        Mark("points", x=start[0], y=start[1], symbol="s", label="start, on fresh shots"),
+    ]  # fmt: skip
+    x_axis, y_axis = (Axis(each.quantity, each.meaning) for each in (one, other))
+    return Panel(marks, x_axis, y_axis, "Pareto front", legend=True)
+
+
+def _bounds_panel(optimum: Optimum) -> Panel:
+    bounds = optimum.study.bounds
+    names = [name for name in optimum.club if name in bounds]
+    marks = [Mark("line", [0.0, 1.0], [row, row], style=-1, size=3.0) for row in range(len(names))]
+    for style, (label, symbol, away) in enumerate((("start", "s", 0.3), ("optimum", "o", -0.3))):
+        values = [own_value(optimum.study.club, name) if label == "start" else optimum.club[name] for name in names]
+        shares = [(value - bounds[name][0]) / (bounds[name][1] - bounds[name][0])
+                  for name, value in zip(names, values, strict=True)]  # fmt: skip
+        texts = [f"{units.from_si(value, UNITS[name]):.4g}" for name, value in zip(names, values, strict=True)]
+        rows = np.arange(len(names))
+        marks += [
+            Mark("points", shares, rows, style=style, symbol=symbol, label=label),
+            Mark("text", shares, rows + away, texts=texts, style=style),
+        ]
+    labels = [f"{name}\n{units.show_range(*bounds[name], UNITS[name])}" for name in names]
+    y = axis(names=labels, reversed=True, limits=(len(names) - 0.4, -0.6))
+    title = "Place between the least and the most that is allowed"
+    return Panel(marks, axis(ticks=False), y, title, legend=True, grid=False)

@@ -15,98 +15,24 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.design.feasibility import of_club, refuse_impossible
 from clubface.design.optimisation.advice import judge_sets
 from clubface.design.optimisation.landings import Landings
-from clubface.design.optimisation.limits import ShotLimit
 from clubface.design.optimisation.result import Fresh, FrontPoint, Optimum
 from clubface.design.optimisation.solve import COARSE, Problem, Solution, agreeing, best, refused, solve, starts
 from clubface.design.optimisation.study import DesignStudy, content, design_study
 from clubface.errors import RangeWarning, RuleWarning
 from clubface.jobs.store import Finished, store_for
+from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
-
-STARTS = 6
-"""Starts of every point, besides its neighbours: a front may jump from one kind of club to another."""
-MARGIN = 1e-9
-"""Part by which a front may be worse and still be no step back."""
-
-Solve = Callable[[str, str, Problem, "NDArray[Any]"], Solution]
-
-
-def front(study: DesignStudy, golfers: list[tuple[Landings, float]], solved: Solve) -> tuple[FrontPoint, ...]:
-    """Return points of the front, from the best of the first objective to the best of the second.
-
-    Parameters
-    ----------
-    study
-        With two objectives.
-    golfers
-        Their shots.
-    solved
-        Solves a problem from a start, given a name and words for what is being done.
-    """
-    one, other = (study.objective(name) for name in study.objectives)
-    ends = []
-    for end, second in ((one, other), (other, one)):
-        problem = study.problem(golfers, end.name, others=(second,))
-        tried = [
-            solved(f"front {end.name} {place}", "finding the ends of the front", problem, point)
-            for place, point in enumerate(starts(problem, STARTS, study.seed))
-        ]
-        solution = best(tried)
-        if solution is None:
-            raise refused(problem, tried)
-        ends.append((problem, solution.point))
-    points = [_point(problem, point, study) for problem, point in ends]
-    first, last = (each.values[other.name] for each in points)
-    kept_points, before = [points[0]], ends[0][1]
-    levels = np.linspace(first, last, study.points)[1:-1]
-    for place, level in enumerate(levels):
-        kept = ShotLimit(
-            objective=other, least=level if other.sign < 0 else -math.inf, most=level if other.sign > 0 else math.inf
-        )  # fmt: skip
-        problem = study.problem(golfers, one.name, limits=(kept,))
-        # The neighbour nearly keeps the new level; the other end keeps every level, and is seldom near.
-        mixed = [before, ends[1][1], 0.5 * (before + ends[1][1]), *starts(problem, STARTS, study.seed)]
-        tried = [
-            solved(f"front {place} {start}", "following the front", problem, point) for start, point in enumerate(mixed)
-        ]
-        solution = best(tried)
-        if solution is not None:
-            before = solution.point
-            kept_points.append(_point(problem, before, study))
-    return tuple(_not_dominated([*kept_points, points[1]], one.sign, other.sign, study.objectives))
-
-
-def front_solutions(study: DesignStudy) -> int:
-    """Return how many problems a front takes to solve."""
-    return 2 * STARTS + (study.points - 2) * (3 + STARTS)
-
-
-def _point(problem: Problem, point: NDArray[Any], study: DesignStudy) -> FrontPoint:
-    judged = problem.values(point).judged
-    return FrontPoint(
-        club=problem.variables.club(point), values={name: float(judged[name]) for name in study.objectives}
-    )  # fmt: skip
-
-
-def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tuple[str, ...]) -> list[FrontPoint]:
-    """Leave out points than which another is better in both objectives."""
-    costs = np.array([[one * each.values[names[0]], other * each.values[names[1]]] for each in points])
-    size = np.abs(costs).max(axis=0)
-    kept = []
-    for place, each in enumerate(points):
-        better = np.all(costs < costs[place] - MARGIN * size, axis=1)
-        if not better.any():
-            kept.append(each)
-    return kept
-
 
 MORE = 5
 """How many times as many shots the best is solved on next."""
+FRONT_STARTS = 6
+"""Starts of every point, besides its neighbours: a front may jump from one kind of club to another."""
+MARGIN = 1e-9
+"""Part by which a front may be worse and still be no step back."""
 FRONT_SHOTS = 2048
 """Shots of a golfer for a front, at most."""
 NOMINAL_STARTS = 4
@@ -173,11 +99,11 @@ class _Run:
     ) -> None:
         self.study, self._kept, self._progress = study, kept, progress
         self._others = [each.name for each in study.advised[1:]] if others is None else list(others)
-        two, levels = len(study.objectives) == 2, len(_levels(study.shots))
-        self._whole = (
-            study.starts + levels + NOMINAL_STARTS + REPEATS + (front_solutions(study) if two else 0)
-            + len(self._others) * (RIVAL_STARTS + min(levels, 1))
-        )  # fmt: skip
+        levels = len(_levels(study.shots))
+        self._whole = study.starts + levels + NOMINAL_STARTS + REPEATS
+        self._whole += len(self._others) * (RIVAL_STARTS + min(levels, 1))
+        if len(study.objectives) == 2:
+            self._whole += 2 * FRONT_STARTS + (study.points - 2) * (3 + FRONT_STARTS)
         self._done = 0
 
     def _once(self, name: str, words: str, compute: Callable[[], Any]) -> Any:
@@ -187,22 +113,37 @@ class _Run:
         self._done += 1
         return self._kept.once(name, compute)
 
+    def _solved(self, name: str, words: str, problem: Problem, start: Floats) -> Solution:
+        def compute() -> dict[str, Any]:
+            solution = solve(problem, start)
+            return {**solution._asdict(), "point": solution.point.tolist()}
+
+        kept = self._once(name, words, compute)
+        return Solution(**{**kept, "point": np.array(kept["point"])})
+
+    def _tried(self, name: str, words: str, problem: Problem, points: Sequence[Floats]) -> list[Solution]:
+        """Return where a solver ends from each of some points."""
+        return [self._solved(f"{name} {place}", words, problem, point) for place, point in enumerate(points)]
+
+    def _problem(self, shots: int, name: str) -> Problem:
+        """Return the problem for an objective on so many shots of a golfer, at most."""
+        study = self.study
+        return study.problem(study.landings(min(study.shots, shots), seed=study.seed), name)
+
     def result(self) -> Optimum:
         study = self.study
         name = study.objectives[0]
-        self._refuse_an_impossible_start()
-        coarse = study.problem(study.landings(min(study.shots, COARSE), seed=study.seed), name)
-        tried = [
-            self._solved(f"start {place}", "trying starts", coarse, point)
-            for place, point in enumerate(starts(coarse, study.starts, study.seed))
-        ]
+        if (envelope := study.variables.envelope) is not None:
+            refuse_impossible(study.club.name, envelope, of_club(study.club))
+        coarse = self._problem(COARSE, name)
+        tried = self._tried("start", "trying starts", coarse, starts(coarse, study.starts, study.seed))
         first = best(tried)
         if first is None:
             raise refused(coarse, tried)
         alike = agreeing(tried, first)
         whole, result = coarse, first
         for shots in _levels(study.shots):
-            whole = study.problem(study.landings(shots, seed=study.seed), name)
+            whole = self._problem(shots, name)
             result = self._solved(f"{shots} shots", f"solving on {shots} shots", whole, result.point)
         if not result.allowed:
             raise refused(whole, [result])
@@ -218,41 +159,25 @@ class _Run:
             judged=dict(whole.values(result.point).judged), message=result.message,
         )  # fmt: skip
 
-    def _refuse_an_impossible_start(self) -> None:
-        envelope = self.study.variables.envelope
-        if envelope is not None:
-            refuse_impossible(self.study.club.name, envelope, of_club(self.study.club))
-
-    def _solved(self, name: str, words: str, problem: Problem, start: NDArray[Any]) -> Solution:
-        def compute() -> dict[str, Any]:
-            solution = solve(problem, start)
-            return {**solution._asdict(), "point": solution.point.tolist()}
-
-        kept = self._once(name, words, compute)
-        return Solution(**{**kept, "point": np.array(kept["point"])})
-
     def _nominal(self, name: str) -> dict[str, float]:
         """Return the club that is best for the mean deliveries alone; limits of the shots do not count."""
         study = self.study
         judged = name if study.objective(name).one_shot else "carry"
         single = Problem(study.variables, study.mean_shots(), study.objective(judged), study.design_limits())
-        tried = [
-            self._solved(f"nominal {place}", "solving for the mean delivery", single, point)
-            for place, point in enumerate(starts(single, NOMINAL_STARTS, study.seed))
-        ]
-        solution = best(tried)
+        points = starts(single, NOMINAL_STARTS, study.seed)
+        solution = best(self._tried("nominal", "solving for the mean delivery", single, points))
         return {} if solution is None else single.variables.club(solution.point)
 
-    def _rival(self, name: str, optimum: NDArray[Any]) -> dict[str, float]:
+    def _rival(self, name: str, optimum: Floats) -> dict[str, float]:
         """Return the club that is best for another objective within the same limits; empty if none is reached."""
-        study, words = self.study, f"solving for {name.replace('_', ' ')}"
-        coarse = study.problem(study.landings(min(study.shots, COARSE), seed=study.seed), name)
-        points = [optimum, *starts(coarse, RIVAL_STARTS - 1, study.seed)]
-        solution = best([self._solved(f"{name} {place}", words, coarse, point) for place, point in enumerate(points)])
+        words = f"solving for {name.replace('_', ' ')}"
+        coarse = self._problem(COARSE, name)
+        points = [optimum, *starts(coarse, RIVAL_STARTS - 1, self.study.seed)]
+        solution = best(self._tried(name, words, coarse, points))
         if solution is None:
             return {}
-        if (levels := _levels(study.shots)) and levels[0] > COARSE:
-            more = study.problem(study.landings(levels[0], seed=study.seed), name)
+        if (levels := _levels(self.study.shots)) and levels[0] > COARSE:
+            more = self._problem(levels[0], name)
             finer = self._solved(f"{name} {levels[0]} shots", words, more, solution.point)
             solution = finer if finer.allowed else solution
         return coarse.variables.club(solution.point)
@@ -260,28 +185,65 @@ class _Run:
     def _fresh(self, clubs: Mapping[str, Mapping[str, float]]) -> Fresh:
         """Judge clubs on shots that no solver has seen, in independent sets."""
         study, count = self.study, max(self.study.shots // REPEATS, 1)
-        judges = study.known()
+
+        def judge(place: int) -> list[list[float]]:
+            golfers = study.landings(count, seed=study.seed + FRESH_SEED + place)
+            return [judged(study, golfers, club) for club in clubs.values()]
+
         rows = [
-            self._once(
-                f"fresh {place}", "judging on fresh shots", lambda place=place: self._judged(place, count, clubs)
-            )
+            self._once(f"fresh {place}", "judging on fresh shots", lambda place=place: judge(place))
             for place in range(REPEATS)
         ]
-        table = np.array(rows)  # repeats, clubs, objectives
         return Fresh(
             shots=count * REPEATS * len(study.golfers), clubs=tuple(clubs),
-            objectives=tuple(each.name for each in judges), sets=table,
+            objectives=tuple(each.name for each in study.known()), sets=np.array(rows),
         )  # fmt: skip
 
-    def _judged(self, place: int, count: int, clubs: Mapping[str, Mapping[str, float]]) -> list[list[float]]:
-        study = self.study
-        golfers = study.landings(count, seed=study.seed + FRESH_SEED + place)
-        return [judged(study, golfers, club) for club in clubs.values()]
-
     def _front(self) -> tuple[FrontPoint, ...]:
+        """Return points of the front, from the best of the first objective to the best of the second."""
         study = self.study
         golfers = study.landings(min(study.shots, FRONT_SHOTS), seed=study.seed)
-        return front(study, golfers, self._solved)
+        one, other = (study.objective(name) for name in study.objectives)
+        ends = []
+        for end, second in ((one, other), (other, one)):
+            problem = study.problem(golfers, end.name, others=(second,))
+            points = starts(problem, FRONT_STARTS, study.seed)
+            tried = self._tried(f"front {end.name}", "finding the ends of the front", problem, points)
+            solution = best(tried)
+            if solution is None:
+                raise refused(problem, tried)
+            ends.append((_point(problem, solution.point, study), solution.point))
+        (first, before), (last, farther) = ends
+        kept_points = [first]
+        for place, level in enumerate(
+            np.linspace(first.values[other.name], last.values[other.name], study.points)[1:-1]
+        ):
+            limits = (level, math.inf) if other.sign < 0 else (-math.inf, level)
+            problem = study.problem(golfers, one.name, limits=(study.shot_limit(other.name, *limits),))
+            # The neighbour nearly keeps the new level; the other end keeps every level, and is seldom near.
+            mixed = [before, farther, 0.5 * (before + farther), *starts(problem, FRONT_STARTS, study.seed)]
+            solution = best(self._tried(f"front {place}", "following the front", problem, mixed))
+            if solution is not None:
+                before = solution.point
+                kept_points.append(_point(problem, before, study))
+        return tuple(_not_dominated([*kept_points, last], one.sign, other.sign, study.objectives))
+
+
+def _point(problem: Problem, point: Floats, study: DesignStudy) -> FrontPoint:
+    judged = problem.values(point).judged
+    return FrontPoint(problem.variables.club(point), {name: float(judged[name]) for name in study.objectives})
+
+
+def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tuple[str, ...]) -> list[FrontPoint]:
+    """Leave out points than which another is better in both objectives."""
+    costs = np.array([[one * each.values[names[0]], other * each.values[names[1]]] for each in points])
+    size = np.abs(costs).max(axis=0)
+    kept = []
+    for place, each in enumerate(points):
+        better = np.all(costs < costs[place] - MARGIN * size, axis=1)
+        if not better.any():
+            kept.append(each)
+    return kept
 
 
 def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:

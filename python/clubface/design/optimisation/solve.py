@@ -2,86 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.design.optimisation.landings import Landings, Objective
+from clubface.design.optimisation.limits import Limit, State
 from clubface.design.optimisation.variables import Variables
 from clubface.errors import InputError, Wording
+from clubface.support.arrays import Floats
 
 REMEMBERED = 4
 """Points whose values are kept: an optimiser asks for objective, limits and gradients one after another."""
 
 
-@dataclass(frozen=True)
-class State:
-    """What is known at a point.
-
-    Attributes
-    ----------
-    point
-        The numbers of the optimiser.
-    club
-        The fields of the club that may change [SI].
-    slopes
-        Their derivatives by the numbers, shape (fields, numbers).
-    judged
-        The value of every objective in use, the mean over the golfers.
-    gradients
-        Their derivatives by the numbers, each of shape (numbers,); empty where they were not asked for.
-    """
-
-    point: NDArray[Any]
-    club: Mapping[str, float]
-    slopes: NDArray[Any]
-    judged: Mapping[str, float]
-    gradients: Mapping[str, NDArray[Any]]
-
-
-class Limit(Protocol):
-    """One or several margins that must not be negative.
-
-    Attributes
-    ----------
-    name
-        What it is called in reports.
-    """
-
-    @property
-    def name(self) -> str: ...  # noqa: D102 - among the attributes
-
-    def describe(self, state: State) -> tuple[str, str]:
-        """Return the value of a club and the values allowed, in words."""
-        ...
-
-    def margins(self, state: State) -> NDArray[Any]:
-        """Return the margins, scaled to size 1, shape (m,)."""
-        ...
-
-    def gradients(self, state: State) -> NDArray[Any]:
-        """Return the derivatives of the margins by the numbers of the optimiser, shape (m, numbers)."""
-        ...
-
-
 class Problem:
-    """An objective and limits over variables.
+    """An objective that is made best and limits that must hold, over variables.
 
-    Parameters
-    ----------
-    variables
-        What is turned.
-    golfers
-        The shots of each golfer, and how much he counts; the weights need not add up to 1.
-    objective
-        What is made best.
-    limits
-        What must hold.
-    others
-        Objectives that the limits ask for, or that are reported.
+    ``golfers`` are the shots of each golfer, and how much he counts; the weights need not add up to 1. ``others`` are
+    objectives that the limits ask for, or that are reported.
     """
 
     def __init__(
@@ -98,31 +38,28 @@ class Problem:
         self._weights = [weight / total for _, weight in golfers]
         self._values: dict[bytes, State] = {}
         self._slopes: dict[bytes, State] = {}
-        self.evaluations = self.differentiations = 0
 
     @property
     def shots(self) -> int:
         """The shots of all golfers, those that miss the face left out."""
         return sum(landings.count for landings, _ in self.golfers)
 
-    def values(self, point: NDArray[Any]) -> State:
+    def values(self, point: Floats) -> State:
         """Return the state at a point, without derivatives of the landings."""
         key = np.ascontiguousarray(point).tobytes()
         if key in self._slopes:
             return self._slopes[key]
         if key not in self._values:
-            self.evaluations += 1
             club = self.variables.club(point)
             landed = [each.of(club) for each, _ in self.golfers]
             judged = {name: self._mean([each.judge(one)[0] for one in landed]) for name, each in self.judges.items()}
-            _keep(self._values, key, State(np.array(point), club, self.variables.slopes(point), judged, {}))
+            _keep(self._values, key, State(club, self._by_field(self.variables.slopes(point)), judged, {}))
         return self._values[key]
 
-    def differentiated(self, point: NDArray[Any]) -> State:
+    def differentiated(self, point: Floats) -> State:
         """Return the state at a point, with derivatives."""
         key = np.ascontiguousarray(point).tobytes()
         if key not in self._slopes:
-            self.differentiations += 1
             club, slopes = self.variables.club(point), self.variables.slopes(point)
             result = [each.differentiated(club, self.variables.fields) for each, _ in self.golfers]
             judged, gradients = {}, {}
@@ -131,26 +68,29 @@ class Problem:
                 judged[name] = self._mean([value for value, _ in values])
                 each_by_fields = [by.gradient(weights) for (_, weights), (_, by) in zip(values, result, strict=True)]
                 gradients[name] = self._mean(each_by_fields) @ slopes
-            _keep(self._slopes, key, State(np.array(point), club, slopes, judged, gradients))
+            _keep(self._slopes, key, State(club, self._by_field(slopes), judged, gradients))
         return self._slopes[key]
+
+    def _by_field(self, slopes: Floats) -> dict[str, Floats]:
+        return dict(zip(self.variables.fields, slopes, strict=True))
 
     def _mean(self, of_golfers: Sequence[Any]) -> Any:
         return sum(weight * each for weight, each in zip(self._weights, of_golfers, strict=True))
 
-    def cost(self, point: NDArray[Any]) -> float:
+    def cost(self, point: Floats) -> float:
         """Return the objective with the sign that makes less of it better."""
         return self.objective.sign * self.values(point).judged[self.objective.name]
 
-    def slope(self, point: NDArray[Any]) -> NDArray[Any]:
+    def slope(self, point: Floats) -> Floats:
         """Return the derivatives of the cost, shape (numbers,)."""
         return self.objective.sign * self.differentiated(point).gradients[self.objective.name]
 
-    def margins(self, point: NDArray[Any]) -> NDArray[Any]:
+    def margins(self, point: Floats) -> Floats:
         """Return all margins, which must not be negative."""
         state = self.values(point)
         return np.concatenate([np.empty(0), *(each.margins(state) for each in self.limits)])
 
-    def margin_slopes(self, point: NDArray[Any]) -> NDArray[Any]:
+    def margin_slopes(self, point: Floats) -> Floats:
         """Return the derivatives of all margins, shape (margins, numbers)."""
         state = self.differentiated(point)
         return np.concatenate([np.empty((0, self.variables.count)), *(each.gradients(state) for each in self.limits)])
@@ -179,23 +119,12 @@ REFUSED = 10.0
 
 
 class Solution(NamedTuple):
-    """Where a solver ended.
+    """Where a solver ended, after how many steps, and why in its words.
 
-    Attributes
-    ----------
-    point
-        The numbers.
-    cost
-        The objective with the sign that makes less of it better.
-    least_margin
-        The smallest of all margins; negative where a limit is broken.
-    steps
-        How many steps were made.
-    message
-        Why the solver ended, in its words.
+    Less of the ``cost``, the objective with a sign, is better; ``least_margin`` is negative where a limit is broken.
     """
 
-    point: NDArray[Any]
+    point: Floats
     cost: float
     least_margin: float
     steps: int
@@ -207,7 +136,7 @@ class Solution(NamedTuple):
         return self.least_margin >= 0.0
 
 
-def starts(problem: Problem, count: int, seed: int) -> list[NDArray[Any]]:
+def starts(problem: Problem, count: int, seed: int) -> list[Floats]:
     """Return points to start from: that of the base club, then points spread evenly over the bounds."""
     from scipy.stats import qmc
 
@@ -216,26 +145,26 @@ def starts(problem: Problem, count: int, seed: int) -> list[NDArray[Any]]:
     return [problem.variables.start(), *spread][:count]
 
 
-def solve(problem: Problem, start: NDArray[Any]) -> Solution:
+def solve(problem: Problem, start: Floats) -> Solution:
     """Return the optimum that is reached from a start."""
     from scipy.optimize import minimize
 
     best_yet = _Best()
     scale = max(abs(problem.cost(start)), 1e-6) if np.isfinite(problem.cost(start)) else 1.0
 
-    def cost(point: NDArray[Any]) -> float:
+    def cost(point: Floats) -> float:
         result = problem.cost(point) / scale
         return result if np.isfinite(result) else REFUSED
 
-    def slope(point: NDArray[Any]) -> NDArray[Any]:
+    def slope(point: Floats) -> Floats:
         broken = max(-float(margins(point).min()), 0.0) if limited else 0.0
         best_yet.record(point, cost(point), broken, problem.objective.precision)
         return np.nan_to_num(problem.slope(point) / scale)
 
-    def margins(point: NDArray[Any]) -> NDArray[Any]:
+    def margins(point: Floats) -> Floats:
         return np.nan_to_num(problem.margins(point), nan=-REFUSED) - SLACK
 
-    def margin_slopes(point: NDArray[Any]) -> NDArray[Any]:
+    def margin_slopes(point: Floats) -> Floats:
         return np.nan_to_num(problem.margin_slopes(point))
 
     limited = problem.margins(start).size > 0
@@ -265,7 +194,7 @@ class _Best:
         self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
         self._merit = dict.fromkeys(PENALTIES, np.inf)
 
-    def record(self, point: NDArray[Any], cost: float, broken: float, precision: float) -> None:
+    def record(self, point: Floats, cost: float, broken: float, precision: float) -> None:
         """Record a point at which the solver takes a step, and how much a limit is broken there.
 
         Steps along a curved limit break it a little while they make progress, so progress counts with penalties, too.

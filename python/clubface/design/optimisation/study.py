@@ -31,36 +31,33 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, SHAPES, Envelope, Volume, of_club, pseudo_inertia, room_inside
-from clubface.design.golfer import golfer as golfer_of
-from clubface.design.optimisation.advice import WORTH, advised, hole_for, judged_unit, worth_of
+from clubface.design.golfer import Golfer, golfer as golfer_of
+from clubface.design.optimisation.advice import WORTH, AdvisedStudy
 from clubface.design.optimisation.fitting import SETTINGS, Fitting
 from clubface.design.optimisation.landings import (
-    DEFAULT_SETTING,
     FREE,
-    OBJECTIVES,
+    JUDGED,
     SPEED_EXPONENT,
     Landings,
     Objective,
     Setting,
-    objective,
-    objectives,
     own_value,
 )
-from clubface.design.optimisation.limits import Buildable, FieldLimit, ShotLimit
-from clubface.design.optimisation.solve import Limit, Problem
+from clubface.design.optimisation.limits import Buildable, Limit, RangeLimit
+from clubface.design.optimisation.solve import Problem
 from clubface.design.optimisation.variables import Variables, check_bounds
 from clubface.design.rules import check_rules
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.equipment.rules import rules_of
+from clubface.equipment.rules import Rule, RuleVerdict, rules_of
 from clubface.errors import FileError, InputError, Wording
 from clubface.fem.heads.meshed import mesh_of
 from clubface.quantities import Quantity, Reading, quantity as quantity_named
@@ -80,20 +77,14 @@ from clubface.schema.values import (
     Reference,
     Simple,
     Tables,
-    Value,
     count,
 )
 from clubface.simulation.flight import check_conditions
-
-if TYPE_CHECKING:
-    from clubface.design.golfer import Golfer
-
 
 MOST_SHOTS = 100_000
 DEFAULT_POINTS = 9
 DISTRIBUTION = "mass_distribution"
 """The word among the variables that sets the whole distribution of mass free."""
-DIMENSIONS = {**{name: each.dimension for name, each in CLUB_PROPERTIES.items()}, "lie": "angle"}
 UNITS = {**{name: each.unit for name, each in CLUB_PROPERTIES.items()}, "lie": "deg"}
 RULED = {"iyy": "moment_of_inertia", "characteristic_time": "characteristic_time"}
 """The fields of a club that rules limit."""
@@ -147,7 +138,7 @@ class Head:
 
 
 @dataclass(frozen=True, kw_only=True)
-class DesignStudy:
+class DesignStudy(AdvisedStudy):
     """What may change, what is best, for whom, and within which limits.
 
     Attributes
@@ -182,9 +173,7 @@ class DesignStudy:
         The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
     """
 
-    title: str
     club: Club
-    golfers: tuple[tuple[Golfer, float], ...]
     objectives: tuple[str, ...]
     bounds: Mapping[str, tuple[float, float]]
     distributed: bool = False
@@ -192,16 +181,11 @@ class DesignStudy:
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     conform: bool = True
     tolerance: bool = True
-    hole: Hole | None = None
-    setting: Setting = DEFAULT_SETTING
-    shots: int = 10_000
-    seed: int = 1
     starts: int = 8
     points: int = DEFAULT_POINTS
-    worth: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "worth", worth_of(self.worth))
+        super().__post_init__()
         if not self.bounds and not self.distributed:
             raise InputError("variables", None, "at least one of " + ", ".join((*FREE, DISTRIBUTION)))
         for name in (*self.objectives, *(each for each in self.limits if each not in FREE)):
@@ -232,30 +216,23 @@ class DesignStudy:
         return Variables(base=self.club, bounds=self.bounds, envelope=envelope, distributed=self.distributed)
 
     @property
-    def counted_hole(self) -> Hole | None:
-        """The hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
-        return hole_for(self.club, self.hole)
+    def present(self) -> Club:
+        """The club to start from."""
+        return self.club
+
+    @property
+    def purpose(self) -> str:
+        """The first objective."""
+        return self.objectives[0]
 
     def objective(self, name: str) -> Objective:
         """Return an objective of the study by its name."""
-        return objective(name, self.counted_hole)
-
-    def known(self) -> tuple[Objective, ...]:
-        """Return all objectives that the study can compute."""
-        return objectives(self.counted_hole)
-
-    @property
-    def advised(self) -> tuple[Objective, ...]:
-        """The objectives that the advice compares, the first one asked for first."""
-        return advised(self.objectives[0], self.counted_hole)
+        return self.judge(name)
 
     def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
         """Return the shots of the golfers, and how much each golfer counts."""
-        hand, threads = self.club.hand, self.setting.threads or None
-        sampled = [
-            (each.for_hand(hand).sample(shots, seed=seed, threads=threads), weight) for each, weight in self.golfers
-        ]
-        return [(Landings(self.club, deliveries, self.setting), weight) for deliveries, weight in sampled]
+        samples = self.samples(shots, seed)
+        return [(Landings(self.club, deliveries, self.setting), weight) for deliveries, weight in samples]
 
     def mean_shots(self) -> list[tuple[Landings, float]]:
         """Return the mean delivery of every golfer, as one shot each."""
@@ -271,17 +248,12 @@ class DesignStudy:
         golfers: list[tuple[Landings, float]],
         objective: str,
         *,
-        limits: tuple[ShotLimit, ...] = (),
+        limits: tuple[RangeLimit, ...] = (),
         others: tuple[Objective, ...] = (),
     ) -> Problem:
         """Return the problem for an objective; ``limits`` are added to those of the study; ``others`` are known."""
-        own = tuple(
-            ShotLimit(objective=self.objective(name), least=low, most=high)
-            for name, (low, high) in self.limits.items()
-            if name not in FREE
-        )
-        asked = [*own, *limits]
-        known = [*(each.objective for each in asked), *others]
+        asked = [*(self.shot_limit(name, *each) for name, each in self.limits.items() if name not in FREE), *limits]
+        known = [*(self.judge(each.limited) for each in asked), *others]
         return Problem(self.variables, golfers, self.objective(objective), [*self.design_limits(), *asked], known)
 
     def design_limits(self) -> list[Limit]:
@@ -294,26 +266,28 @@ class DesignStudy:
                     mass_changes="mass" in self.bounds,
                 )
             )  # fmt: skip
-        if self.conform:
-            for rule in rules_of(self.club):
-                for name, ruled in RULED.items():
-                    if ruled == rule.name and name in turned.fields:
-                        most = rule.limit if self.tolerance else rule.most
-                        limits.append(self._field_limit(name, -math.inf, most, f"rules: {rule.title}"))
-        for name, (low, high) in self.limits.items():
-            if name in FREE:
-                limits.append(self._field_limit(name, low, high, name))
+        ruled = {rule: name for name, rule in RULED.items() if name in turned.fields}
+        for rule in rules_of(self.club) if self.conform else ():
+            if rule.name in ruled:
+                name = ruled[rule.name]
+                limits.append(self._field_limit(name, -math.inf, self._most(rule), f"rules: {rule.title}"))
+        limits += [self._field_limit(name, *each, name) for name, each in self.limits.items() if name in FREE]
         return limits
 
-    def _field_limit(self, name: str, low: float, high: float, called: str) -> FieldLimit:
-        finite = [abs(each) for each in (low, high) if math.isfinite(each)]
-        scale = max([*finite, abs(own_value(self.club, name)), 1e-12])
-        return FieldLimit(
-            name=called, field=name, least=low, most=high, unit=UNITS[name], scale=scale,
-            fields=self.variables.fields,
-        )  # fmt: skip
+    def shot_limit(self, name: str, least: float, most: float) -> RangeLimit:
+        """Return the limits of an objective [SI]."""
+        judge = self.judge(name)
+        return RangeLimit(name=judge.meaning, limited=name, least=least, most=most, unit=judge.unit)
 
-    def rule_values(self, club: Club) -> Any:
+    def _field_limit(self, name: str, least: float, most: float, called: str) -> RangeLimit:
+        finite = [abs(each) for each in (least, most) if math.isfinite(each)]
+        size = max([*finite, abs(own_value(self.club, name)), 1e-12])
+        return RangeLimit(name=called, limited=name, least=least, most=most, unit=UNITS[name], size=size)
+
+    def _most(self, rule: Rule) -> float:
+        return rule.limit if self.tolerance else rule.most
+
+    def rule_values(self, club: Club) -> list[RuleVerdict]:
         """Return what a club with the head of the study has of every rule; a mesh says its own volume and size."""
         volume, size = (None, None) if self.head is None else (self.head.displaced, self.head.volume.size)
         if (mesh := mesh_of(self.club)) is not None:
@@ -325,7 +299,7 @@ class DesignStudy:
             return
         changing = {RULED[name] for name in self.variables.fields if name in RULED}
         for each in self.rule_values(self.club):
-            limit = each.rule.limit if self.tolerance else each.rule.most
+            limit = self._most(each.rule)
             if each.rule.name not in changing and each.value > limit * (1.0 + 1e-9):
                 problem = units.show(each.value, each.rule.unit, 4)
                 allowed = f"at most {units.show(limit, each.rule.unit, 4)} by the rules, and nothing changes it"
@@ -341,10 +315,8 @@ def golfers_of(given: Any) -> tuple[tuple[Golfer, float], ...]:
 
 COUNTS = {"shots": (1, MOST_SHOTS), "seed": (0, 2**31), "starts": (1, 1000), "points": (3, 200)}
 """Least and greatest value of what is counted."""
-JUDGED = {**{name: each.dimension for name, each in OBJECTIVES.items()}, "strokes": units.DIMENSIONLESS}
 POSITIVE = ("mass", "bulge", "roll", "ixx", "iyy", "izz")
 """Fields that are above 0."""
-NO_LIMITS = (-math.inf, math.inf)
 
 
 def _bounds(name: str) -> Interval:
@@ -352,14 +324,13 @@ def _bounds(name: str) -> Interval:
     return Interval(PhysicalValue(UNITS[name], above=0 if name in POSITIVE else None))
 
 
-def _limit_kinds() -> dict[str, Value]:
-    judged = {name: judged_unit(name) for name in JUDGED}
-    kinds = {name: UNITS[name] for name in FREE} | judged
-    return {name: Interval(PhysicalValue(unit), no_limits=NO_LIMITS) for name, unit in kinds.items()}
-
-
 VARIABLES = Record({**{name: _bounds(name) for name in FREE}, DISTRIBUTION: Choice(("free",))})
-LIMITS = Record(_limit_kinds())
+LIMITS = Record(
+    {
+        name: Interval(PhysicalValue(unit), no_limits=(-math.inf, math.inf))
+        for name, unit in ({name: UNITS[name] for name in FREE} | JUDGED).items()
+    }
+)
 NAMED_GOLFERS = Either(
     {
         str: Reference(str),
@@ -368,7 +339,7 @@ NAMED_GOLFERS = Either(
     "a name, a file, or tables [[golfer]] with name and weight",
 )
 VECTOR = Items(PhysicalValue("mm"), 3, 3, 'three lengths, as in ["115 mm", "62 mm", "124 mm"]')
-WORTHS = Record({name: PhysicalValue(judged_unit(name), above=0) for name in WORTH}, example='{ carry = "3 yd" }')
+WORTHS = Record({name: PhysicalValue(JUDGED[name], above=0) for name in WORTH}, example='{ carry = "3 yd" }')
 RULES = Record({"conform": FLAG, "tolerance": FLAG})
 SETTING = Record({"name": NAME, **{name: PhysicalValue(UNITS[name]) for name in SETTINGS}}, ("name",))
 _NAMES = "a list of names or files"

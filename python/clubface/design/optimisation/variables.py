@@ -14,11 +14,10 @@ about the places that are taken.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.feasibility import (
@@ -31,6 +30,7 @@ from clubface.design.feasibility import (
 )
 from clubface.design.optimisation.landings import own_value
 from clubface.errors import InputError, RuleWarning
+from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
 if TYPE_CHECKING:
@@ -62,12 +62,15 @@ class Variables:
         What the head may be; None where its distribution of mass does not change.
     distributed
         Whether the whole distribution of mass is free. The mass is then that of the base unless it has bounds.
+    held
+        Other fields that every club has [SI], where they are not those of the base.
     """
 
     base: Club
     bounds: Mapping[str, tuple[float, float]]
     envelope: Envelope | None = None
     distributed: bool = False
+    held: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def fields(self) -> tuple[str, ...]:
@@ -82,23 +85,23 @@ class Variables:
         return len(self.bounds) + (PLACED if self.distributed else 0)
 
     @property
-    def box(self) -> NDArray[Any]:
+    def box(self) -> Floats:
         """Bounds of the numbers, shape (count, 2)."""
         result = np.tile([0.0, 1.0], (self.count, 1))
         if self.distributed:
             result[-PLACED:] = [-2.0, 2.0]
         return result
 
-    def club(self, point: NDArray[Any]) -> dict[str, float]:
-        """Return the fields that may change, by name [SI]."""
+    def club(self, point: Floats) -> dict[str, float]:
+        """Return the fields that may change, and those that are held, by name [SI]."""
         result = {name: self._field(name, at) for name, at in zip(self.bounds, point, strict=False)}
         if self.distributed:
             mass = result.get("mass", self.base.mass)
-            values = mass_properties(self._shell() + self._placed(mass, point[-PLACED:]))
+            values = mass_properties(self._shell + self._placed(mass, point[-PLACED:]))
             result |= dict(zip(MASS_PROPERTIES, map(float, values), strict=True))
-        return {name: result[name] for name in self.fields}
+        return {**self.held, **{name: result[name] for name in self.fields}}
 
-    def slopes(self, point: NDArray[Any]) -> NDArray[Any]:
+    def slopes(self, point: Floats) -> Floats:
         """Return the derivatives of the fields by the numbers, shape (fields, count)."""
         slopes, fields = np.zeros((len(self.fields), self.count)), self.fields
         own = {name: self._slope(name, at) for name, at in zip(self.bounds, point, strict=False)}
@@ -109,26 +112,21 @@ class Variables:
             self._add_placed(slopes, point, own.get("mass"))
         return slopes
 
-    def at(self, club: Mapping[str, float]) -> NDArray[Any]:
-        """Return the numbers of a club, held within their bounds; an undistributed one only."""
-        result = []
+    def start(self) -> Floats:
+        """Return the numbers of the base club, or the nearest within the bounds."""
+        own = []
         for name, (low, high) in self.bounds.items():
-            value = club[name]
+            value = own_value(self.base, name)
             if name in RADII:
                 low, high, value = 1.0 / high, 1.0 / low, 1.0 / value
-            result.append((value - low) / (high - low))
-        return np.clip(result, 0.0, 1.0)
-
-    def start(self) -> NDArray[Any]:
-        """Return the numbers of the base club, or the nearest within the bounds."""
-        fields = {name: own_value(self.base, name) for name in self.bounds}
-        own = self.at(fields)
+            own.append((value - low) / (high - low))
+        own = np.clip(own, 0.0, 1.0)
         if not self.distributed:
             return own
         pseudo = pseudo_inertia(of_club(self.base))
-        return np.concatenate([own, self._numbers(self._envelope().placed(pseudo))])
+        return np.concatenate([own, self._numbers(pseudo - self._shell)])
 
-    def random(self, uniform: NDArray[Any]) -> NDArray[Any]:
+    def random(self, uniform: Floats) -> Floats:
         """Return numbers spread over their bounds, from as many that are uniform from 0 to 1.
 
         Those that place a mass lie in the ball of radius 1.
@@ -154,30 +152,24 @@ class Variables:
             return -(self._field(name, at) ** 2) * (1.0 / low - 1.0 / high)
         return high - low
 
-    def _envelope(self) -> Envelope:
+    @property
+    def _shell(self) -> Floats:
         assert self.envelope is not None  # a distribution has a volume to be in
-        return self.envelope
+        return self.envelope.shell
 
-    def _shell(self) -> NDArray[Any]:
-        return self._envelope().shell
+    @property
+    def _frame(self) -> Floats:
+        assert self.envelope is not None
+        return self.envelope.volume.frame
 
-    def _frame(self) -> NDArray[Any]:
-        """Return the map from parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
-        volume = self._envelope().volume
-        result = np.eye(4)
-        result[:3, :3] = np.diag(0.5 * np.array(volume.size))
-        result[:3, 3] = volume.centre
-        return result
-
-    def _placed(self, mass: float, numbers: NDArray[Any]) -> NDArray[Any]:
+    def _placed(self, mass: float, numbers: Floats) -> Floats:
         """Return the pseudo-inertia about the face centre of the discretionary mass of a head of some mass."""
-        rows = _rows(numbers)
-        frame = self._frame()
-        return (mass - self._shell()[3, 3]) * frame @ rows @ rows.T @ frame.T
+        rows, frame = _rows(numbers), self._frame
+        return (mass - self._shell[3, 3]) * frame @ rows @ rows.T @ frame.T
 
-    def _numbers(self, placed: NDArray[Any]) -> NDArray[Any]:
+    def _numbers(self, placed: Floats) -> Floats:
         """Return the nine numbers of a pseudo-inertia, which is moved into the possible where it is not."""
-        inverse = np.linalg.inv(self._frame())
+        inverse = np.linalg.inv(self._frame)
         own = inverse @ placed @ inverse.T / placed[3, 3]
         first = own[:3, 3]
         values, vectors = np.linalg.eigh(own[:3, :3] - np.outer(first, first))
@@ -185,15 +177,17 @@ class Variables:
         root = np.linalg.cholesky(spread)
         return np.array([*first, *(root[place] for place in _ROOT)])
 
-    def _add_placed(self, slopes: NDArray[Any], point: NDArray[Any], by_mass: float | None) -> None:
+    def _add_placed(self, slopes: Floats, point: Floats, by_mass: float | None) -> None:
         """Add the derivatives of the mass properties to those of the fields."""
         mass = self.club(point)["mass"]
-        numbers, frame = point[-PLACED:], self._frame()
-        rows, loose = _rows(numbers), mass - self._shell()[3, 3]
-        values = mass_properties(self._shell() + self._placed(mass, numbers))
+        numbers, frame = point[-PLACED:], self._frame
+        rows, loose = _rows(numbers), mass - self._shell[3, 3]
+        values = mass_properties(self._shell + self._placed(mass, numbers))
         by_values = pseudo_inertia_derivatives(values)
         forward = np.array([[each[entry] for each in by_values] for entry in _ENTRIES])
-        changes = [loose * frame @ (each @ rows.T + rows @ each.T) @ frame.T for each in _row_slopes()]
+        empty = _rows(np.zeros(PLACED))
+        slopes_of_rows = [_rows(each) - empty for each in np.eye(PLACED)]
+        changes = [loose * frame @ (each @ rows.T + rows @ each.T) @ frame.T for each in slopes_of_rows]
         columns = list(range(self.count - PLACED, self.count))
         if by_mass is not None:
             changes.append(by_mass * frame @ rows @ rows.T @ frame.T)
@@ -221,14 +215,14 @@ def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: s
                     raise
 
 
-def _solved(forward: NDArray[Any], wanted: NDArray[Any]) -> NDArray[Any]:
+def _solved(forward: Floats, wanted: Floats) -> Floats:
     """Solve for mass properties of very different sizes, kilograms and kg m2: rows and columns are scaled first."""
     rows = 1.0 / np.abs(forward).max(axis=1)
     columns = 1.0 / np.abs(forward * rows[:, None]).max(axis=0)
     return columns[:, None] * np.linalg.solve(forward * rows[:, None] * columns, wanted * rows[:, None])
 
 
-def _rows(numbers: NDArray[Any]) -> NDArray[Any]:
+def _rows(numbers: Floats) -> Floats:
     """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of moments about it."""
     result = np.zeros((4, 4))
     result[:3, 0] = numbers[:3]
@@ -236,12 +230,6 @@ def _rows(numbers: NDArray[Any]) -> NDArray[Any]:
         result[place[0], 1 + place[1]] = number
     result[3, 0] = 1.0
     return result
-
-
-def _row_slopes() -> list[NDArray[Any]]:
-    """Return the derivatives of the root by the nine numbers."""
-    empty = _rows(np.zeros(PLACED))
-    return [_rows(each) - empty for each in np.eye(PLACED)]
 
 
 STEPS = 13
@@ -269,23 +257,14 @@ class PointMass(NamedTuple):
     place: tuple[float, float, float]
 
 
-def placement(envelope: Envelope, pseudo: NDArray[Any]) -> list[PointMass]:
+def placement(envelope: Envelope, pseudo: Floats) -> list[PointMass]:
     """Return point masses that have the moments of the discretionary mass of a head, the heaviest first.
 
-    There are at most ten, as there are ten moments. The list is empty where none were found.
-
-    Parameters
-    ----------
-    envelope
-        Volume, shell and budget.
-    pseudo
-        Pseudo-inertia of the head about the face centre, shape (4, 4).
+    ``pseudo`` is the pseudo-inertia of the head about the face centre, shape (4, 4). There are at most ten masses, as
+    there are ten moments, and none where none were found.
     """
     volume, placed = envelope.volume, envelope.placed(pseudo)
-    frame = np.eye(4)
-    frame[:3, :3] = np.diag(0.5 * np.array(volume.size))
-    frame[:3, 3] = volume.centre
-    inverse = np.linalg.inv(frame)
+    inverse = np.linalg.inv(volume.frame)
     own = inverse @ placed @ inverse.T / placed[3, 3]
     step = 2.0 / (STEPS - 1)
     parts = _inside(volume, _lattice(STEPS) * step)
@@ -307,29 +286,28 @@ def placement(envelope: Envelope, pseudo: NDArray[Any]) -> list[PointMass]:
     ]
 
 
-def _lattice(count: int) -> NDArray[Any]:
+def _lattice(count: int) -> Floats:
     """Return whole numbers about 0, ``count`` along each axis, shape (count^3, 3)."""
-    along = np.arange(count) - (count - 1) // 2
+    along = np.arange(count, dtype=float) - (count - 1) // 2
     return np.stack(np.meshgrid(along, along, along, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
-def _inside(volume: Volume, parts: NDArray[Any]) -> NDArray[Any]:
+def _inside(volume: Volume, parts: Floats) -> Floats:
     """Return places, in parts of the way to the surface, with those beyond it moved onto it."""
     if volume.shape == "box":
         return np.clip(parts, -1.0, 1.0)
     return parts / np.maximum(np.linalg.norm(parts, axis=1), 1.0)[:, None]
 
 
-def _least_missed(parts: NDArray[Any], own: NDArray[Any]) -> tuple[NDArray[Any], float]:
+def _least_missed(parts: Floats, own: Floats) -> tuple[Floats, float]:
     """Return the masses at given places, 1 in all, that miss moments the least, and the greatest miss."""
     from scipy.optimize import linprog
 
     rows = np.hstack([parts, np.ones((len(parts), 1))])
-    pairs = [(i, j) for i in range(4) for j in range(i, 4)]
-    moments = np.array([rows[:, i] * rows[:, j] for i, j in pairs])
-    wanted = np.array([own[pair] for pair in pairs])
+    moments = np.array([rows[:, i] * rows[:, j] for i, j in _ENTRIES])
+    wanted = np.array([own[entry] for entry in _ENTRIES])
     # The mass is exact; of the other moments, the sum of what they miss is made least.
-    free = np.eye(len(pairs))[:, :-1]
+    free = np.eye(len(_ENTRIES))[:, :-1]
     equal = np.hstack([moments, free, -free])
     cost = np.concatenate([np.zeros(len(parts)), np.ones(2 * free.shape[1])])
     result = linprog(cost, A_eq=equal, b_eq=wanted, bounds=(0.0, None), method="highs-ds")

@@ -12,9 +12,9 @@ import numpy as np
 from clubface import units
 from clubface.design.dispersion import COUNT, FLOWN, LAUNCHED, MOST as MOST_SHOTS, dispersion
 from clubface.design.golfer import Golfer, golfer as golfer_of
-from clubface.design.optimisation.landings import FREE
+from clubface.design.optimisation.landings import FREE, JUDGED
 from clubface.design.optimisation.run import optimise
-from clubface.design.optimisation.study import COUNTS, DIMENSIONS as JUDGED_DIMENSIONS, JUDGED, DesignStudy, read
+from clubface.design.optimisation.study import COUNTS, UNITS, DesignStudy, read
 from clubface.design.strokes import Hole
 from clubface.equipment.balls import ball as ball_of
 from clubface.equipment.clubs import club as club_of
@@ -186,7 +186,7 @@ COUNTED = ("shots", "seed", "starts")
 
 def _swept_optimisations(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
     """Return both ends of every bound and limit, figures of golfers and holes, the conditions, and what has names."""
-    known = {**JUDGED, **JUDGED_DIMENSIONS}
+    known = {**JUDGED, **UNITS}
     bounds = {f"variables_{name}_{end}": Swept(_unit(known[name])) for name in FREE for end in ENDS}
     limits = {f"limits_{name}_{end}": Swept(_unit(each)) for name, each in known.items() for end in ENDS}
     single = {"speed_exponent": Swept("1"), "discretionary_mass": Swept("kg")}
@@ -195,8 +195,9 @@ def _swept_optimisations(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> 
     return {**bounds, **limits, **swept_golfers(), **conditions, **single, **named}
 
 
-def _unit(dimension: str) -> str:
-    return units.SI_UNITS[dimension]
+def _unit(shown: str) -> str:
+    """Return the unit of SI of what is shown in a unit."""
+    return units.SI_UNITS[units.unit(shown).dimension]
 
 
 def _optimisation_task(study: DescribedStudy) -> OneByOne:
@@ -208,7 +209,7 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
     swept = {each.name for each in study.design.axes}
     parts = {name: study.load(name, read) for name, read in READERS.items() if name in swept}
     every = {
-        name: Column(_unit(JUDGED_DIMENSIONS[name]), f"of the best club: {name.replace('_', ' ')}")
+        name: Column(_unit(UNITS[name]), f"of the best club: {name.replace('_', ' ')}")
         for name in asked.variables.fields
     }
     for name in asked.objectives:
