@@ -44,8 +44,7 @@ if TYPE_CHECKING:
     from clubface.design.optimisation.study import DesignStudy as DesignStudy, Head as Head
     from clubface.design.optimisation.variables import PointMass as PointMass
     from clubface.design.rules import Rule as Rule, check_rules as check_rules
-    from clubface.design.shells.run import Improved as Improved, Search as Search
-    from clubface.design.shells.search_result import search_picture as search_picture
+    from clubface.design.shells.run import Improved as Improved, Search as Search, search_picture as search_picture
     from clubface.design.strokes import expected as expected
     from clubface.design.variance import (
         ByDerivatives as ByDerivatives,
@@ -78,8 +77,7 @@ _NAMES = {
     "optimisation.study": "DesignStudy Head",
     "optimisation.variables": "PointMass",
     "rules": "Rule check_rules",
-    "shells.search_result": "search_picture",
-    "shells.run": "Improved Search",
+    "shells.run": "Improved Search search_picture",
     "strokes": "expected",
     "variance": "ByDerivatives Indices by_derivatives indices indices_by_derivatives shapley sobol",
 }

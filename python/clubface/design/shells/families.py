@@ -105,13 +105,6 @@ class Family(ABC):
         """Return fingerprints of files that the head is made from besides its own, by what each is called."""
         return {}
 
-    def check_variable(self, name: str) -> None:
-        """Refuse a variable that this family does not have."""
-        table, _, key = name.partition(".")
-        check_choice("table of what varies", table, self.variables)
-        what, known = self.variables[table]
-        check_choice(f"{what} to vary", key, known)
-
 
 class DriverFamily(Family):
     """Drivers from a few dimensions, which keep their targets."""
@@ -282,5 +275,11 @@ def face_parts(head: ShellHead) -> dict[str, int]:
 
 
 def family_of(head: Head, varied: Mapping[str, Any]) -> Family:
-    """Return the family of a head; ``varied`` are the variables by name."""
-    return DriverFamily(head, varied) if isinstance(head, DriverHead) else MeshFamily(head, varied)
+    """Return the family of a head; ``varied`` are the variables by name, which it must have."""
+    family = DriverFamily(head, varied) if isinstance(head, DriverHead) else MeshFamily(head, varied)
+    for name in varied:
+        table, _, key = name.partition(".")
+        check_choice("table of what varies", table, family.variables)
+        what, known = family.variables[table]
+        check_choice(f"{what} to vary", key, known)
+    return family

@@ -35,7 +35,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -77,21 +77,23 @@ from clubface.support.checks import check_choice, check_count, check_names, with
 from clubface.support.files import path_of
 
 QUANTITIES = {
-    "ball_speed": ("mean ball speed", "speed", "mph"),
-    "carry": ("mean carry", "length", "yd"),
-    "characteristic_time": ("characteristic time", "time", "us"),
-    "stress": ("greatest stress in the face", "pressure", "MPa"),
-    "mass": ("mass of the head", "mass", "g"),
-    "wall_mass": ("mass of its walls", "mass", "g"),
-    "moment_of_inertia": ("inertia about the vertical", "inertia", "g cm2"),
-    "cg_depth": ("CG behind the face centre", "length", "mm"),
-    "cg_height": ("CG above the lowest point", "length", "mm"),
-    "cg_from_heel": ("CG from the heel", "length", "mm"),
-    "volume": ("volume", "volume", "cm3"),
-    "heel_to_toe": ("heel to toe", "length", "mm"),
-    "sole_to_crown": ("sole to crown", "length", "mm"),
+    "ball_speed": ("mean ball speed", "mph"),
+    "carry": ("mean carry", "yd"),
+    "characteristic_time": ("characteristic time", "us"),
+    "stress": ("greatest stress in the face", "MPa"),
+    "mass": ("mass of the head", "g"),
+    "wall_mass": ("mass of its walls", "g"),
+    "moment_of_inertia": ("inertia about the vertical", "g cm2"),
+    "cg_depth": ("CG behind the face centre", "mm"),
+    "cg_height": ("CG above the lowest point", "mm"),
+    "cg_from_heel": ("CG from the heel", "mm"),
+    "volume": ("volume", "cm3"),
+    "heel_to_toe": ("heel to toe", "mm"),
+    "sole_to_crown": ("sole to crown", "mm"),
 }
-"""What a design has: words, dimension and unit."""
+"""What a design has: words and unit."""
+LIMITED = {name: each for name, each in QUANTITIES.items() if name != "stress"}
+"""What may have limits in a file."""
 DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
 """Digits after the point, by unit."""
 OBJECTIVES = {"ball_speed": True, "carry": True, "characteristic_time": True, "wall_mass": False}
@@ -107,7 +109,7 @@ def design_quantity(name: str) -> Quantity:
     """Return one of ``QUANTITIES``, or a variable such as "thickness.crown", for tables and sentences."""
     table, _, key = name.partition(".")
     if table in QUANTITIES:
-        label, _, unit = QUANTITIES[table]
+        label, unit = QUANTITIES[table]
         label = f"greatest stress in {key}" if key else label
     else:
         label = f"{key.replace('_', ' ')}{' wall' if table == 'thickness' and 'face' not in key else ''}"
@@ -129,8 +131,79 @@ class Blow:
         return {**self.delivery, "toe": point[0], "high": point[1]}
 
 
+def show(name: str, value: float) -> str:
+    """Return a variable in words."""
+    return units.show(value, unit_of(name))
+
+
+MOST_POINTS = 100
+REACH = PhysicalValue("mm", -60, 60, allowed="within 60 mm of the face centre")
+POINTS = Items(
+    Items(REACH, 2, 2, "a distance to the toe and one above the face centre"), 1, MOST_POINTS,
+    f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]',
+)  # fmt: skip
+BLOW = Record({**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS})
+"""A delivery; ``points`` say where it strikes."""
+VARIABLE_TABLES = {
+    "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
+    "masses": Record(Interval(PhysicalValue("g", lower=0), '["0 g", "12 g"]')),
+    "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in SHAPE}),
+}
+LIMITS = Record({
+    name: Interval(PhysicalValue(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))
+    for name, (_, unit) in LIMITED.items()
+})  # fmt: skip
+
+
+def _head(named: Any) -> Head:
+    """Return the design of a head, by a built-in name or from a file."""
+    path = path_of("head of finite elements", named, FOLDER)
+    head = from_toml(path)
+    if not isinstance(head, Head):
+        raise InputError("head", head.name, 'of the kind "driver" or "mesh", whose walls can vary')
+    if isinstance(head, MeshHead):
+        with without_warnings():
+            meshed(path)  # the errors of a mesh name the file of its head
+    return head
+
+
+METAL = {key: entries(Metal)[key] for key in ("youngs", "poisson", "density", "yield")}
+
+
+def _made_metal(values: dict[str, Any], place: Place) -> NamedMetal:
+    """Return the metal of a table [[metals]], with its name and source."""
+    metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
+    return NamedMetal(metal=metal, **values)
+
+
+_GROUPS = Items(NAME, 1, None, 'a list of groups of the mesh, as in ["face"]')
+_METAL_KEYS = {"name": NAME, "source": TEXT, "groups": _GROUPS, **{key: each.value for key, each in METAL.items()}}
+METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), make=_made_metal))
+
+
 @dataclass(frozen=True, kw_only=True)
-class ShellStudy:
+class _Asked:
+    """What a study and its file share."""
+
+    title: str = file_key(TEXT, "for tables")
+    head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
+    objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
+    ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
+    safety: float = file_key(PhysicalValue("1"), "factor by which the yield stress is divided", default=1.0)
+    rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
+    designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
+    radius: float = file_key(
+        PhysicalValue("1"), "half the width of the first region, as a share of the bounds", default=0.3
+    )
+    neighbours: bool = file_key(FLAG, "whether the engine judges neighbours of the start first", default=True)
+    limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
+    metals: tuple[NamedMetal, ...] = file_key(
+        METALS, "to choose from, of a mesh by `groups`; those of the head unless given", default=()
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShellStudy(_Asked):
     """What may change, what is best, and within which limits.
 
     Attributes
@@ -168,24 +241,13 @@ class ShellStudy:
         Whether the engine judges neighbours of the start first.
     """
 
-    title: str
-    head: Head
     bounds: Mapping[str, tuple[float, float]]
-    objective: str
     delivery: Blow
     hardest: Blow | None = None
-    metals: tuple[NamedMetal, ...] = ()
-    safety: float = 1.0
-    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    rules: bool = True
-    ball: Ball = field(default_factory=ball_of)
-    designs: int = 20
-    radius: float = 0.3
-    neighbours: bool = True
 
     def __post_init__(self) -> None:
         check_choice("objective", self.objective, OBJECTIVES)
-        check_names("limit", self.limits, [name for name in QUANTITIES if name != "stress"])
+        check_names("limit", self.limits, LIMITED)
         check_count("designs", self.designs, 2, 500)
         if not self.bounds:
             raise InputError("variables", None, "give at least one, as in face_centre")
@@ -193,8 +255,6 @@ class ShellStudy:
             raise InputError("safety", self.safety, "1 to 10")
         if not 0.01 <= self.radius <= 1.0:
             raise InputError("radius", self.radius, "0.01 to 1, a share of the bounds")
-        for name in self.bounds:
-            self.family.check_variable(name)
         choices = self.choices  # checks metals before heads are made of them
         for name, (least, most) in self.bounds.items():
             own = self.start_value(name)
@@ -217,7 +277,7 @@ class ShellStudy:
 
     def _check_limits(self) -> None:
         """Refuse a mass that no head has, and a volume where it is not known."""
-        shown = {name: ["none" if each in (0.0, math.inf) else units.show(each, QUANTITIES[name][2]) for each in ends]
+        shown = {name: ["none" if each in (0.0, math.inf) else units.show(each, QUANTITIES[name][1]) for each in ends]
                  for name, ends in self.limits.items()}  # fmt: skip
         if isinstance(self.head, DriverHead):
             made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
@@ -289,84 +349,15 @@ class ShellStudy:
         return Goal(objective=self.objective, largest=OBJECTIVES[self.objective], limits=limits)
 
 
-def show(name: str, value: float) -> str:
-    """Return a variable in words."""
-    return units.show(value, unit_of(name))
-
-
-MOST_POINTS = 100
-REACH = PhysicalValue("mm", -60, 60, allowed="within 60 mm of the face centre")
-POINTS = Items(
-    Items(REACH, 2, 2, "a distance to the toe and one above the face centre"), 1, MOST_POINTS,
-    f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]',
-)  # fmt: skip
-_BLOW = {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
-BLOW = Record(_BLOW)
-"""A delivery; ``points`` say where it strikes."""
-VARIABLE_TABLES = {
-    "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
-    "masses": Record(Interval(PhysicalValue("g", lower=0), '["0 g", "12 g"]')),
-    "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in SHAPE}),
-}
-LIMITS = Record(
-    {
-        name: Interval(PhysicalValue(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))
-        for name, (_, _, unit) in QUANTITIES.items()
-        if name != "stress"
-    }
-)
-
-
-def _head(named: Any) -> Head:
-    """Return the design of a head, by a built-in name or from a file."""
-    path = path_of("head of finite elements", named, FOLDER)
-    head = from_toml(path)
-    if not isinstance(head, Head):
-        raise InputError("head", head.name, 'of the kind "driver" or "mesh", whose walls can vary')
-    if isinstance(head, MeshHead):
-        with without_warnings():
-            meshed(path)  # the errors of a mesh name the file of its head
-    return head
-
-
-METAL = {key: entries(Metal)[key] for key in ("youngs", "poisson", "density", "yield")}
-
-
-def _made_metal(values: dict[str, Any], place: Place) -> NamedMetal:
-    """Return the metal of a table [[metals]], with its name and source."""
-    metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
-    return NamedMetal(metal=metal, **values)
-
-
-_GROUPS = Items(NAME, 1, None, 'a list of groups of the mesh, as in ["face"]')
-_METAL_KEYS = {"name": NAME, "source": TEXT, "groups": _GROUPS, **{key: each.value for key, each in METAL.items()}}
-METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), make=_made_metal))
-
-
 @dataclass(frozen=True, kw_only=True)
-class ShellFile:
+class ShellFile(_Asked):
     """A file of a study of a head of shells."""
 
-    title: str = file_key(TEXT, "for tables")
-    head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
-    objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
     golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
-    ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
-    safety: float = file_key(PhysicalValue("1"), "factor by which the yield stress is divided", default=1.0)
-    rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
-    designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
-    radius: float = file_key(
-        PhysicalValue("1"), "half the width of the first region, as a share of the bounds", default=0.3
-    )
-    neighbours: bool = file_key(FLAG, "whether the engine judges neighbours of the start first", default=True)
     variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what changes, within bounds")
     delivery: Mapping[str, Any] = file_key(BLOW, "the delivery, and the points that it strikes", default_factory=dict)
     hardest: Mapping[str, Any] | None = file_key(
         BLOW, "what is other in the hardest blow, whose stress the face must stand", default=None
-    )
-    limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
-    metals: tuple[NamedMetal, ...] = file_key(
-        METALS, "to choose from, of a mesh by `groups`; those of the head unless given", default=()
     )
 
     def study(self) -> ShellStudy:
@@ -374,18 +365,12 @@ class ShellFile:
         usual = self._delivery()
         hardest = None
         if self.hardest is not None:
-            changed = _delivered(self.hardest)
-            points = self.hardest.get("points", usual.points)
-            hardest = Blow(delivery={**usual.delivery, **changed}, points=points)
+            delivery = {**usual.delivery, **_delivered(self.hardest)}
+            hardest = Blow(delivery=delivery, points=self.hardest.get("points", usual.points))
         tables = self.variables.items()
         bounds = {f"{table}.{name}": each for table, values in tables for name, each in values.items()}
-        return ShellStudy(
-            title=self.title, head=self.head, objective=self.objective, delivery=usual, hardest=hardest,
-            bounds=bounds,
-            limits=self.limits, ball=self.ball, safety=self.safety, rules=self.rules, designs=self.designs,
-            radius=self.radius, neighbours=self.neighbours,
-            metals=self.metals,
-        )  # fmt: skip
+        asked = {each.name: getattr(self, each.name) for each in fields(_Asked)}
+        return ShellStudy(**asked, delivery=usual, hardest=hardest, bounds=bounds)
 
     def _delivery(self) -> Blow:
         points = self.delivery.get("points", ((0.0, 0.0),))
