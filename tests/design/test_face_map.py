@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface import units
 from clubface.design.contributions import LAUNCHED, QUANTITIES
-from clubface.design.face_map import FaceMapDifference, forgiveness
+from clubface.design.face_map import FaceMap, FaceMapDifference
 from clubface.design.face_surface import Interpolated, Outline, Surface, outline_of
 from clubface.errors import InputError, RangeWarning, RuleWarning, RunError, ShotError, UnknownNameError
 from clubface.fem.heads.read import club_of
@@ -134,8 +134,6 @@ def test_a_difference_is_of_the_same_points(driver):
 class Known(Surface):
     """A surface of which everything is known: quantity k is f_k(toe, high)."""
 
-    interpolated = False
-
     def __init__(self, *functions, outline=None, grid=(21, 11)):
         self.functions, self.outline, self.grid = functions, outline, grid
 
@@ -150,6 +148,12 @@ class Known(Surface):
         )
         table = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))
         return toe, high, table.reshape(len(QUANTITIES), len(high), len(toe))
+
+
+def forgiveness(surface, face, spread, toe, high):
+    """What scattered impacts cost on a known surface."""
+    nothing = np.empty(0)
+    return FaceMap(nothing, nothing, nothing, face, surface, None).forgiveness(spread, toe=toe, high=high)
 
 
 def rectangle(width, height):

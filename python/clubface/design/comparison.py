@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
-from clubface.design.contributions import QUANTITIES, Contributions, Stage, contributions, symbol, values
+from clubface.design.contributions import QUANTITIES, Contributions, contributions, symbol, values
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, model
@@ -32,6 +31,7 @@ from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.simulation.sensitivity import FEW, OF_THE_BALL
 from clubface.simulation.shot_result import flight_views, shape_note
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_count, check_name, check_names, without_warnings
 from clubface.units import to_si
 
@@ -162,7 +162,7 @@ class Compared(Described):
         first, *others = (f'"{name}"' for name in self.names)
         return f"{first} compared with {', '.join(others)}"
 
-    def _differences(self, name: str) -> NDArray[Any]:
+    def _differences(self, name: str) -> Floats:
         return self._levels[name] - self._levels[self.names[0]]
 
     def _alternatives(self) -> Table:
@@ -242,14 +242,14 @@ class _Row(NamedTuple):
     part: str
     change: str
     label: str
-    numbers: NDArray[Any]
+    numbers: Floats
     quantity: Quantity | None = None
     start: float | None = None
     end: float | None = None
     hidden: bool = False
 
 
-def _split_rows(name: str, launch: Launch, made: Contributions, difference: NDArray[Any]) -> Iterator[_Row]:
+def _split_rows(name: str, launch: Launch, made: Contributions, difference: Floats) -> Iterator[_Row]:
     parameters = {each.name: each.unit for each in model(launch.model).parameters}
     fitted = {each for each in parameters if len(parameters) > FEW and each not in OF_THE_BALL}
     together = np.zeros(len(QUANTITIES))
@@ -269,7 +269,7 @@ def _split_rows(name: str, launch: Launch, made: Contributions, difference: NDAr
 
 
 def _quantity_columns(
-    rows: Sequence[NDArray[Any]], *, differences: bool = True, printed: Sequence[str] = QUANTITIES
+    rows: Sequence[Floats], *, differences: bool = True, printed: Sequence[str] = QUANTITIES
 ) -> list[Column]:
     """Return a column for each of ``QUANTITIES``; differences have a digit more."""
     return [
@@ -421,17 +421,17 @@ def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
     return replace(result, club=club_of(result.club), delivery=dict(as_values(result.delivery, {})))
 
 
-def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[Stage]:
+def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[tuple[str, Launch]]:
     """Return the first shot, and the shots after each change as a whole that has no derivatives."""
     taken: dict[str, Any] = {
         "club": first.club, "delivery": {**first.delivery, **launch.delivery}, "model": first.model,
         "parameters": first.parameters, "ball": first.ball, "accuracy": other.accuracy,
     }  # fmt: skip
-    stages = [Stage("", launch)]
+    stages = [("", launch)]
 
     def change(name: str, **changes: Any) -> None:
         taken.update(changes)
-        stages.append(Stage(name, other.launch(**taken)))
+        stages.append((name, other.launch(**taken)))
 
     if first.model != other.model:
         change("model", model=other.model, parameters=other.parameters)

@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
-from clubface.design.face_surface import Outline, Struck, Surface, outline_of, run_points, surface_of
+from clubface.design.face_surface import ComputedFace, Interpolated, Outline, Struck, Surface, outline_of, run_points
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
@@ -23,6 +22,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import attributes, flattened, outputs
+from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_share, check_text, is_count, is_number, without_warnings
 
 if TYPE_CHECKING:
@@ -56,27 +56,6 @@ class Forgiveness(NamedTuple):
     loss: dict[str, float]
 
 
-def forgiveness(surface: Surface, outline: Outline, spread: tuple[Any, Any], toe: Any, high: Any) -> Forgiveness:
-    """Return what impacts cost that scatter over a face; see :meth:`clubface.FaceMap.forgiveness`.
-
-    Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its upper
-    edge.
-    """
-    if not isinstance(spread, (tuple, list)) or len(spread) != 2:
-        raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
-    deviations = [units.parse(each, "length", name="spread") for each in spread]
-    about = [units.parse(each, "length", name=name) for each, name in ((toe, "toe"), (high, "high"))]
-    size = outline.greatest - outline.least
-    for each, most in zip(deviations, size, strict=True):
-        if not 0.0 < each <= most:
-            raise InputError("spread", units.show(each, "mm"), f"above 0 and at most {units.show(most, 'mm', 3)}")
-    if not outline.holds(*about):
-        raise InputError("the point", ", ".join(units.show(each, "mm") for each in about), "on the face")
-    missed, *costs = outline.in_core().scatter(about, deviations, surface.at)
-    named = [dict(zip(QUANTITIES, each, strict=True)) for each in costs]
-    return Forgiveness(about[0], about[1], deviations[0], deviations[1], missed, *named)
-
-
 GRID = (101, 101)
 COARSE = (9, 7)
 """Points towards the toe and upwards, unless given: of a model that computes at once, and of one that takes long."""
@@ -107,8 +86,8 @@ class Best(NamedTuple):
 class _Mapped(Described):
     """What a map and the difference of two have in common."""
 
-    toe: NDArray[Any]
-    high: NDArray[Any]
+    toe: Floats
+    high: Floats
     outline: Outline
 
     @property
@@ -116,15 +95,15 @@ class _Mapped(Described):
         """The map, or the two whose difference it is."""
         raise NotImplementedError
 
-    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+    def get(self, name: str, unit: str | None = None) -> Floats:
         """Return a quantity over the grid, in SI or in ``unit``."""
         raise NotImplementedError
 
-    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def box(self, name: str) -> tuple[Floats, Floats, Floats]:
         """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face."""
         raise NotImplementedError
 
-    def columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> dict[str, Floats]:
         """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
         toe, high = np.meshgrid(self.toe, self.high)
         inside = self.outline.holds(toe, high)
@@ -168,7 +147,7 @@ class FaceMap(_Mapped):
     """
 
     def __init__(
-        self, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any], outline: Outline, surface: Surface,
+        self, toe: Floats, high: Floats, table: Floats, outline: Outline, surface: Surface,
         centre: Launch, conditions: Mapping[str, Any] | None = None,
     ) -> None:  # fmt: skip
         self.toe, self.high, self.outline, self.centre = toe, high, outline, centre
@@ -181,13 +160,13 @@ class FaceMap(_Mapped):
         """This map."""
         return [self]
 
-    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+    def get(self, name: str, unit: str | None = None) -> Floats:
         """Return a quantity over the grid, in SI or in ``unit``."""
         check_choice("quantity", name, QUANTITIES)
         values = self._table[QUANTITIES.index(name)]
         return values if unit is None else units.from_si(values, symbol(name, unit))
 
-    def at(self, toe: Any, high: Any) -> dict[str, NDArray[Any]]:
+    def at(self, toe: Any, high: Any) -> dict[str, Floats]:
         """Return all quantities [SI] at points [m] of the face, by name."""
         toe, high = np.broadcast_arrays(
             units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
@@ -208,6 +187,9 @@ class FaceMap(_Mapped):
     def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
         """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
 
+        Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its
+        upper edge.
+
         Parameters
         ----------
         spread
@@ -220,9 +202,21 @@ class FaceMap(_Mapped):
         InputError
             A standard deviation is not above 0 or larger than the face, or the point is not on the face.
         """
-        return forgiveness(self.surface, self.outline, spread, toe, high)
+        if not isinstance(spread, (tuple, list)) or len(spread) != 2:
+            raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
+        deviations = [units.parse(each, "length", name="spread") for each in spread]
+        about = [units.parse(each, "length", name=name) for each, name in ((toe, "toe"), (high, "high"))]
+        size = self.outline.greatest - self.outline.least
+        for each, most in zip(deviations, size, strict=True):
+            if not 0.0 < each <= most:
+                raise InputError("spread", units.show(each, "mm"), f"above 0 and at most {units.show(most, 'mm', 3)}")
+        if not self.outline.holds(*about):
+            raise InputError("the point", ", ".join(units.show(each, "mm") for each in about), "on the face")
+        missed, *costs = self.outline.in_core().scatter(about, deviations, self.surface.at)
+        named = [dict(zip(QUANTITIES, each, strict=True)) for each in costs]
+        return Forgiveness(about[0], about[1], deviations[0], deviations[1], missed, *named)
 
-    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def box(self, name: str) -> tuple[Floats, Floats, Floats]:
         """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face.
 
         It reaches beyond the outline, so that a picture can be cut along it, and is fine where the grid is coarse.
@@ -341,10 +335,10 @@ def map_face(
         table[:, inside] = run_points(
             settled, across[inside], up[inside], output=output, workers=workers, progress=progress
         )
+        surface = Interpolated(outline, toe, high, table)
     else:
-        count = progress and (lambda done: progress(done, across.size))
-        table = settled.at(across, up, remark=True, progress=count)
-    surface = surface_of(settled, outline, toe, high, table)
+        table = settled.at(across, up, remark=True, progress=progress)
+        surface = ComputedFace(settled, outline, toe, high, table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
         raise RunError("no point of the face has a shot")
@@ -359,7 +353,7 @@ def checked_grid(grid: Any) -> tuple[int, int]:
     return int(asked[0]), int(asked[1])
 
 
-def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[NDArray[Any], NDArray[Any]]:
+def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[Floats, Floats]:
     """Return the places towards the toe and upwards [m]."""
     if points is not None:
         if grid is not None:
@@ -411,12 +405,12 @@ class FaceMapDifference(_Mapped):
         """The two maps."""
         return [self.first, self.second]
 
-    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+    def get(self, name: str, unit: str | None = None) -> Floats:
         """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
         result = self.first.get(name) - self.second.get(name)
         return result if unit is None else result / units.size(symbol(name, unit))
 
-    def box(self, name: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def box(self, name: str) -> tuple[Floats, Floats, Floats]:
         """Return what :meth:`FaceMap.box` does of the difference; NaN outside a second face of another outline."""
         check_choice("quantity", name, QUANTITIES)
         toe, high, values = self.first.box(name)

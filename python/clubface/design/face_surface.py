@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +26,7 @@ from clubface.jobs.workers import in_threads, worker_count
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import outputs
+from clubface.support.arrays import Floats
 from clubface.support.checks import is_silent, without_warnings
 
 CHUNK = 2**16
@@ -32,17 +34,7 @@ CHUNK = 2**16
 
 
 class Struck(NamedTuple):
-    """How a face is struck: everything but where.
-
-    Attributes
-    ----------
-    club, model, parameters, ball, accuracy
-        As for :func:`clubface.impact`.
-    delivery
-        The values [SI] but ``toe`` and ``high``.
-    conditions
-        Air, wind and ground of the flights.
-    """
+    """How a face is struck: everything but where, as for :func:`clubface.impact`; ``conditions`` are of the flights."""
 
     club: Club
     model: str
@@ -58,18 +50,13 @@ class Struck(NamedTuple):
         return self.model in MODULES
 
     def at(
-        self,
-        toe: NDArray[Any],
-        high: NDArray[Any],
-        *,
-        remark: bool = False,
-        progress: Callable[[int], object] | None = None,
-    ) -> NDArray[Any]:
+        self, toe: Floats, high: Floats, *, remark: bool = False, progress: Callable[[int, int], object] | None = None
+    ) -> Floats:
         """Return ``QUANTITIES`` [SI] at points [m], shape (quantities, points); NaN where there is no shot.
 
-        With ``remark`` it warns of shots outside the range of the model. ``progress`` is called with the number of
-        points done.
+        With ``remark`` it warns of shots outside the range of the model.
         """
+        count = progress and (lambda before, done: progress(before + done, toe.size))
         result, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
         for start in range(0, toe.size, CHUNK):
             some = slice(start, start + CHUNK)
@@ -77,7 +64,7 @@ class Struck(NamedTuple):
                 launch = impact(
                     self.club, {**self.delivery, "toe": toe[some], "high": high[some]}, model=self.model,
                     parameters=self.parameters, ball=self.ball, accuracy=self.accuracy, on_error="nan",
-                    progress=progress and partial(_report_points, progress, start),
+                    progress=count and partial(count, start),
                 )  # fmt: skip
                 flight = fly(launch, **self.conditions, on_error="nan")
             outside.add(launch)
@@ -88,28 +75,12 @@ class Struck(NamedTuple):
 
 
 def run_points(
-    struck: Struck,
-    toe: NDArray[Any],
-    high: NDArray[Any],
-    *,
-    output: str | os.PathLike[str] | None,
-    workers: int | None,
+    struck: Struck, toe: Floats, high: Floats, *, output: str | os.PathLike[str] | None, workers: int | None,
     progress: Callable[[int, int], object] | None,
-) -> NDArray[Any]:
-    """Return what :meth:`Struck.at` does, point after point by finite elements, one point on each core.
+) -> Floats:  # fmt: skip
+    """Return what :meth:`Struck.at` does, point after point by finite elements, so many at a time, or one on each core.
 
-    Parameters
-    ----------
-    struck
-        How the face is struck, by finite elements.
-    toe, high
-        Points [m].
-    output
-        A file. What is finished is kept in a folder next to it, and the same call goes on after it.
-    workers
-        Points at a time; left out, one for each core.
-    progress
-        Called with the number of points done and the number of points.
+    What is finished is kept in a folder next to a file ``output``, and the same call goes on after it.
     """
     from clubface.fem.run import strike
     from clubface.fem.settings import Settings
@@ -126,21 +97,16 @@ def run_points(
                 struck.club, {**struck.delivery, "toe": place[0], "high": place[1]}, ball=struck.ball,
                 friction=friction, settings=Settings(until_separation=True, threads=threads), progress=keep_going,
             )  # fmt: skip
+            launch = None if result.stopped is not None else result.launch
         except ShotError:
-            return [None] * len(outputs())
-        launch = result.launch
-        if launch is None or result.stopped is not None:
-            return [None] * len(outputs())
-        return [_or_none(float(launch.get(name))) for name in outputs()]
+            launch = None
+        values = [math.nan if launch is None else float(launch.get(name)) for name in outputs()]
+        return [None if math.isnan(each) else each for each in values]
 
     with _store(output, struck, places) as store:
         job = Job("points", places, compute, lambda place: f"{place[0]!r},{place[1]!r}")
         rows = run(job, partial(in_threads, workers=workers), store=store, progress=progress)
     return _with_flights(struck, np.array([rows[place] for place in places], dtype=float).T)
-
-
-def _report_points(progress: Callable[[int], object], before: int, done: int) -> None:
-    progress(before + done)
 
 
 def finished(output: str | os.PathLike[str] | None) -> None:
@@ -149,7 +115,7 @@ def finished(output: str | os.PathLike[str] | None) -> None:
         shutil.rmtree(unfinished_folder(Path(output)), ignore_errors=True)
 
 
-def _with_flights(struck: Struck, table: NDArray[Any]) -> NDArray[Any]:
+def _with_flights(struck: Struck, table: Floats) -> Floats:
     """Return ``QUANTITIES`` for outputs of launches, shape (outputs, points)."""
     from clubface.fem.balls import ball
 
@@ -182,10 +148,6 @@ def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[t
     return store_for(output, content, remedy=f"finish that with the same command, or remove {folder}")
 
 
-def _or_none(value: float) -> float | None:
-    return value if value == value else None
-
-
 HEEL_HEIGHT = 30.0 / 54.0
 """Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""
 CORNERS = 96
@@ -205,16 +167,16 @@ class Outline(NamedTuple):
         Where it comes from, in words.
     """
 
-    corners: NDArray[Any]
+    corners: Floats
     origin: str
 
     @property
-    def least(self) -> NDArray[Any]:
+    def least(self) -> Floats:
         """The lower and heel-side corner of the box around it [m]."""
         return self.corners.min(axis=0)
 
     @property
-    def greatest(self) -> NDArray[Any]:
+    def greatest(self) -> Floats:
         """The upper and toe-side corner of the box around it [m]."""
         return self.corners.max(axis=0)
 
@@ -222,12 +184,12 @@ class Outline(NamedTuple):
         """Return it as the core takes it."""
         return core.FaceOutline(self.corners.tolist())
 
-    def holds(self, toe: Any, high: Any, slack: float = 1e-9) -> NDArray[Any]:
+    def holds(self, toe: Any, high: Any, slack: float = 1e-9) -> NDArray[np.bool_]:
         """Tell which points [m] are inside or on it."""
         toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
         return self.in_core().holds(toe.reshape(-1), high.reshape(-1), slack).reshape(toe.shape)
 
-    def extent(self, toe: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    def extent(self, toe: Floats) -> tuple[Floats, Floats]:
         """Return the least and the greatest height of the face [m] at places towards the toe [m]."""
         return self.in_core().extent(toe)
 
@@ -267,23 +229,25 @@ def _of_mesh(club: Any) -> Outline:
     return Outline(np.clip(between.reshape(-1, 2), -limit, limit), "of its mesh")
 
 
-class Surface(Protocol):
-    """What is known of a face beyond the points of a grid.
+class Surface:
+    """What is known of a face, of a given outline, beyond the points of a grid.
 
-    Attributes
-    ----------
-    interpolated
-        Whether it is interpolated between the points of the grid.
-    outline
-        The outline of the face.
+    ``interpolated`` says whether it is interpolated between the points of the grid.
     """
 
-    interpolated: bool
+    interpolated = False
     outline: Outline
 
-    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
+    def at(self, toe: Floats, high: Floats) -> Floats:
         """Return the quantities [SI] at points of the face [m], shape (quantities, points)."""
-        ...
+        raise NotImplementedError
+
+    def box(self) -> tuple[Floats, Floats, Floats]:
+        """Return places towards the toe and upwards [m], and the quantities over the whole box around the face.
+
+        The last have the shape (quantities, high, toe) and reach beyond the outline, so that it can be cut sharply.
+        """
+        raise NotImplementedError
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
         """Return the point [m] where a quantity is greatest, and its value there [SI].
@@ -308,32 +272,17 @@ class Surface(Protocol):
             toe.tolist(), high.tolist(), table[quantity], least, lambda across, up: self.at(across, up)[quantity]
         )
 
-    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Return places towards the toe and upwards [m], and the quantities over the whole box around the face.
-
-        The last have the shape (quantities, high, toe) and reach beyond the outline, so that it can be cut sharply.
-        """
-        ...
-
 
 class ComputedFace(Surface):
-    """A face on which every point can be computed at once."""
+    """A face on which every point can be computed at once; its box is the grid."""
 
-    interpolated = False
+    def __init__(self, struck: Struck, outline: Outline, toe: Floats, high: Floats, table: Floats) -> None:
+        self.outline, self.at = outline, struck.at
+        self._box = toe, high, table.reshape(len(QUANTITIES), len(high), len(toe))
 
-    def __init__(
-        self, struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
-    ) -> None:
-        self._struck, self.outline, self._toe, self._high = struck, outline, toe, high
-        self._table = table.reshape(len(QUANTITIES), len(high), len(toe))
-
-    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
-        """Return the quantities at points of the face."""
-        return self._struck.at(toe, high)
-
-    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def box(self) -> tuple[Floats, Floats, Floats]:
         """Return the grid."""
-        return self._toe, self._high, self._table
+        return self._box
 
 
 class Interpolated(Surface):
@@ -341,7 +290,7 @@ class Interpolated(Surface):
 
     interpolated = True
 
-    def __init__(self, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]) -> None:
+    def __init__(self, outline: Outline, toe: Floats, high: Floats, table: Floats) -> None:
         from scipy.interpolate import RBFInterpolator
 
         self.outline = outline
@@ -357,23 +306,14 @@ class Interpolated(Surface):
             ) from None
         count = core.face_fine()
         ends = zip(outline.least, outline.greatest, strict=True)
-        self._toe, self._high = (np.linspace(least, greatest, count) for least, greatest in ends)
-        fine = [each.reshape(-1) for each in np.meshgrid(self._toe, self._high)]
-        self._fine = self.at(*fine).reshape(len(QUANTITIES), count, count)
+        fine_toe, fine_high = (np.linspace(least, greatest, count) for least, greatest in ends)
+        fine = self.at(*(each.reshape(-1) for each in np.meshgrid(fine_toe, fine_high)))
+        self._box = fine_toe, fine_high, fine.reshape(len(QUANTITIES), count, count)
 
-    def at(self, toe: NDArray[Any], high: NDArray[Any]) -> NDArray[Any]:
+    def at(self, toe: Floats, high: Floats) -> Floats:
         """Return the quantities at points of the face."""
         return self._through(np.stack([toe, high], axis=1) / self._scale).T
 
-    def box(self) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def box(self) -> tuple[Floats, Floats, Floats]:
         """Return a fine grid."""
-        return self._toe, self._high, self._fine
-
-
-def surface_of(
-    struck: Struck, outline: Outline, toe: NDArray[Any], high: NDArray[Any], table: NDArray[Any]
-) -> ComputedFace | Interpolated:
-    """Return the surface of which ``table``, shape (quantities, points of the grid), is known."""
-    if struck.takes_long:
-        return Interpolated(outline, toe, high, table)
-    return ComputedFace(struck, outline, toe, high, table)
+        return self._box
