@@ -13,8 +13,7 @@ from fem_runs import coarse_drive
 
 pytest.importorskip("matplotlib")
 
-from clubface.design.best_loft import ChartComparison
-from clubface.design.best_loft_result import chart_picture
+from clubface.design.best_loft import ChartComparison, chart_picture
 from clubface.fem.pictures import paper_picture, sweep_picture
 from clubface.inference.evaluation import published
 from clubface.inference.evaluation.result import error_picture

@@ -12,9 +12,9 @@ if TYPE_CHECKING:
     from clubface.design.best_loft import (
         BestLoft as BestLoft,
         ChartComparison as ChartComparison,
+        best_loft_picture as best_loft_picture,
         compare_with_chart as compare_with_chart,
     )
-    from clubface.design.best_loft_result import best_loft_picture as best_loft_picture
     from clubface.design.comparison import comparison_picture as comparison_picture, read_deliveries as read_deliveries
     from clubface.design.contributions import Change as Change, Contributions as Contributions
     from clubface.design.dispersion import Ellipse as Ellipse, ImpactSetup as ImpactSetup, shots_file as shots_file
@@ -57,8 +57,7 @@ if TYPE_CHECKING:
     )
 
 _NAMES = {
-    "best_loft": "BestLoft ChartComparison compare_with_chart",
-    "best_loft_result": "best_loft_picture",
+    "best_loft": "BestLoft ChartComparison best_loft_picture compare_with_chart",
     "comparison": "comparison_picture read_deliveries",
     "contributions": "Change Contributions",
     "dispersion": "Ellipse ImpactSetup shots_file",

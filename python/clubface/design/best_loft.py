@@ -6,7 +6,7 @@ Total distances have no such optimum here: on level ground a ball that is hardly
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
@@ -19,13 +19,22 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, Wording
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Parameters, impact
 from clubface.simulation.launch import Launch
+from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, without_warnings
 
+SHOWN = {"loft": "loft", "ball_speed": "ball_speed", "launch": "launch", "spin": "total_spin", "carry": "carry"}
+"""Columns that are printed, and what they are of."""
+SAME_ANGLE = 9e-4
+"""Attack angles below this are level [rad]."""
 LEAST, MOST = np.radians(-2.0), np.radians(50.0)
 """Between which lofts [rad] the best is looked for."""
 POINTS, ROUNDS = 27, 4
@@ -91,9 +100,14 @@ class BestLoft(Described):
 
     def to_result(self) -> Result:
         """Return the best lofts as a result."""
-        from clubface.design.best_loft_result import best_loft_result
-
-        return best_loft_result(self)
+        columns = (*_cases(self), *(_own(self, name) for name in SHOWN), *_other(self))
+        return Result(
+            kind="best-loft", title=f"Best dynamic loft for carry: {self.flown.club.name}, {self.flown.model}",
+            tables=(Table("best_lofts", columns),), summary=(*_summary(self), note("best-loft-delivered")),
+            notes=(note("best-loft-within", worth_carry=self.worth), note("best-loft-carry")),
+            provenance=provenance_of([self.flown], flight_conditions(self.air, self.wind)),
+            draw=lambda: [best_loft_picture(self)],
+        )  # fmt: skip
 
 
 def best_loft(
@@ -150,23 +164,17 @@ def best_loft(
     enough = worth_of(worth)["carry"]
     fixed: dict[str, Any] = {"model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy}
     done, shots = 0, len(speeds) * (ROUNDS * POINTS + 1 + 2 * HALVINGS)
+    counted = progress and (lambda before, now: progress(before + now, shots))
 
     def strike(lofts: Floats) -> tuple[Any, Any]:
         nonlocal done
-        counted = None if progress is None else partial(_report_sum, progress, done, shots)
         with without_warnings(RangeWarning):
             launch = impact(
                 club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts},
-                on_error="nan", progress=counted, **fixed,
+                on_error="nan", progress=counted and partial(counted, done), **fixed,
             )  # fmt: skip
             done += lofts.size
             return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
-
-    def why_not(case: int) -> None:
-        """Hit a shot of a case in which no loft flies, for the error that explains it."""
-        loft = float(np.clip(attacks[case] + BEYOND, LEAST, MOST))
-        values = {**delivery, "speed": float(speeds[case]), "attack": float(attacks[case]), "loft": loft}
-        fly(impact(club, values, **fixed), air=air, wind=wind)
 
     low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)
     best = low
@@ -174,7 +182,9 @@ def best_loft(
         lofts = np.linspace(low, high, POINTS, axis=1)
         reached = _reached(strike(lofts)[1].carry)
         if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
-            why_not(int(lost[0]))
+            speed, attack = float(speeds[lost[0]]), float(attacks[lost[0]])
+            values = {"speed": speed, "attack": attack, "loft": float(np.clip(attack + BEYOND, LEAST, MOST))}
+            fly(impact(club, {**delivery, **values}, **fixed), air=air, wind=wind)  # the error explains it
         place = np.argmax(reached, axis=1)
         step = (high - low) / (POINTS - 1)
         best = lofts[np.arange(len(place)), place]
@@ -190,20 +200,15 @@ def best_loft(
     )  # fmt: skip
 
 
-def _report_sum(progress: Callable[[int, int], object], before: int, whole: int, done: int) -> None:
-    progress(before + done, whole)
-
-
 def _reached(distance: Floats) -> Floats:
     return np.where(np.isfinite(distance), distance, -np.inf)
 
 
-def _within(distance: Any, best: Floats, reached: Floats, worth: float) -> Floats:
+def _within(distance: Callable[[Floats], Floats], best: Floats, reached: Floats, worth: float) -> Floats:
     """Return how far below and above the best loft what is worth a change is lost, by halving, up to 15 degrees."""
-    wide = np.radians(15.0)
     result = []
     for side in (-1.0, 1.0):
-        near, far = np.zeros_like(best), np.full_like(best, wide)
+        near, far = np.zeros_like(best), np.full_like(best, np.radians(15.0))
         for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
             lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > worth
@@ -255,9 +260,45 @@ class ChartComparison(Described):
 
     def to_result(self) -> Result:
         """Return best lofts and chart as a result."""
-        from clubface.design.best_loft_result import chart_result
-
-        return chart_result(self)
+        best, chart = self.best, self.chart
+        columns = _cases(best)
+        for name in self.compared:
+            columns += [
+                _own(best, name),
+                column(f"published_{name}", self.column(name), SHOWN[name], label=chart),
+            ]
+        columns += [_own(best, name, printed=False) for name in SHOWN if name not in self.compared]
+        columns += _other(best, printed=False)
+        published = {self.quantity(name): name for name in self.published}
+        columns += [
+            column(f"published_{name}", self.published[key], SHOWN.get(name, name), printed=False)
+            for name, key in published.items()
+            if name not in self.compared
+        ]
+        kinds = [quantity(SHOWN[name]) for name in self.compared]
+        away = [getattr(best, name) - self.column(name) for name in self.compared]
+        differences = (
+            text("quantity", self.compared, printed=False),
+            text("what", [each.label for each in kinds], in_files=False),
+            *(Column(word, [float(pick(each)) for each in away], kinds, difference=True)
+              for word, pick in (("mean", np.mean), ("least", np.min), ("greatest", np.max))),
+        )  # fmt: skip
+        launch = "best-loft-launch-difference" if self.compared[0] == "launch" else "best-loft-loft-difference"
+        source = published_data.table(self.table).source
+        return Result(
+            kind="best-loft", title=f"Best dynamic loft for carry and the chart of {chart}: {best.flown.club.name}, "
+            f"{best.flown.model}",
+            tables=(
+                Table("best_lofts", tuple(columns)), Table("differences", differences, "Best less published"),
+            ),
+            summary=(
+                *_summary(best), note("best-loft-delivered"), note(launch, chart=chart, loft=float(np.mean(away[0]))),
+            ),
+            provenance=provenance_of(
+                [best.flown], flight_conditions(best.air, best.wind), [f"Chart of {chart}: {source}"]
+            ),
+            draw=lambda: [chart_picture(self)],
+        )  # fmt: skip
 
 
 def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
@@ -285,3 +326,75 @@ def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
         speed = speed * published["ball_speed"] / best.ball_speed
         best = best_loft(speed, published["attack"], **options)
     return ChartComparison(chart, best, published)
+
+
+def _cases(best_loft: BestLoft) -> list[Column]:
+    return [column("speed", best_loft.speed, digits=1), column("attack", best_loft.attack)]
+
+
+def _own(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
+    label = "best loft" if name == "loft" else ""
+    return column(
+        name, getattr(best_loft, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed
+    )
+
+
+def _other(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
+    return [
+        column("total", best_loft.total, printed=False),
+        column("within_below", best_loft.within[:, 0], "loft", label="as good with less", printed=printed),
+        column("within_above", best_loft.within[:, 1], "loft", label="or more", printed=printed),
+    ]
+
+
+def _summary(best_loft: BestLoft) -> Iterator[Note]:
+    """Yield the best loft of the slowest and the fastest club that moves most nearly level."""
+    level = abs(best_loft.attack) == abs(best_loft.attack).min()
+    for speed in sorted({float(best_loft.speed[level].min()), float(best_loft.speed[level].max())}):
+        place = int((level & (best_loft.speed == speed)).argmax())
+        attack = float(best_loft.attack[place])
+        less, more = map(float, best_loft.within[place])
+        yield note(
+            "best-loft-level" if abs(attack) < SAME_ANGLE else "best-loft-inclined", attack=attack, speed=speed,
+            loft=float(best_loft.loft[place]), carry=float(best_loft.carry[place]), less_loft=less, more_loft=more,
+            worth_carry=best_loft.worth,
+        )  # fmt: skip
+
+
+def best_loft_picture(best_loft: BestLoft) -> Picture:
+    """Return loft and carry over the club speed; bars reach as far as a loft is as good."""
+    lofts, carries = [], []
+    for place, attack in enumerate(np.unique(best_loft.attack)):
+        rows = np.flatnonzero(best_loft.attack == attack)
+        rows = rows[np.argsort(best_loft.speed[rows], kind="stable")]
+        speed, loft, carry = best_loft.speed[rows], best_loft.loft[rows], best_loft.carry[rows]
+        label = f"attack {np.degrees(attack) + 0.0:.3g}°"
+        lofts += [
+            Mark("line", speed, loft, style=place, label=label),
+            Mark("intervals", speed, loft, y0=loft - best_loft.within[rows, 0],
+                 y1=loft + best_loft.within[rows, 1], style=place, symbol=str(place), label=label),
+        ]  # fmt: skip
+        carries += [
+            Mark("line", speed, carry, style=place, label=label),
+            Mark("points", speed, carry, style=place, symbol=str(place), label=label),
+        ]
+    panels: list[Panel | None] = [
+        Panel(lofts, axis("speed"), axis("loft", "best dynamic loft"), "Bars: within them the loft is as good"),
+        Panel(carries, axis("speed"), axis("carry"), "How far the ball carries with it"),
+    ]
+    return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)
+
+
+def chart_picture(comparison: ChartComparison) -> Picture:
+    """Return the picture of the computed values over those of a chart."""
+    panels: list[Panel | None] = []
+    for name in comparison.compared:
+        theirs, ours = comparison.column(name), getattr(comparison.best, name)
+        ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
+        marks = [Mark("line", ends, ends, style=-1, size=0.8, dash=0), Mark("points", theirs, ours)]
+        kind = SHOWN[name]
+        panels.append(Panel(marks, axis(kind, comparison.chart), axis(kind, "found here"), quantity(kind).label))
+    panels += [None] * (len(panels) % 2)
+    rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
+    caption = f"What was found here over what the chart of {comparison.chart} has"
+    return Picture("best-loft-chart", caption, rows, height=2.5 * len(rows))

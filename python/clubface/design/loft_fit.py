@@ -6,19 +6,26 @@ It is an optimisation of the loft alone, so that it gives the same advice as one
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of, own_club
-from clubface.design.optimisation.advice import Advice, is_at_an_end
+from clubface.design.optimisation.advice import (
+    WORTHS,
+    Advice,
+    advice_lead,
+    advice_notes,
+    advice_tables,
+    is_at_an_end,
+    short_label,
+)
 from clubface.design.optimisation.landings import Objective, Setting
-from clubface.design.optimisation.result import Optimum
+from clubface.design.optimisation.result import Optimum, study_provenance
 from clubface.design.optimisation.run import REPEATS, judged, optimise
 from clubface.design.optimisation.study import DesignStudy
 from clubface.design.strokes import Hole
@@ -26,7 +33,11 @@ from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError
+from clubface.quantities import quantity
+from clubface.results.notes import Note, note
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
+from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import check_conditions
 from clubface.simulation.impact import Parameters
 from clubface.support.arrays import Floats
@@ -121,7 +132,15 @@ class LoftFit(Described):
 
     def to_result(self) -> Result:
         """Return lofts, advice and curve as a result."""
-        return import_module("clubface.design.loft_fit_result").loft_fit_result(self)
+        study, advice = self.optimum.study, self.advice
+        lofts = [self.present, *(self.loft(club) for club in list(self.optimum.compared.values())[1:])]
+        tables = advice_tables(advice, [column("loft", lofts, "loft", label="dynamic loft")])
+        return Result(
+            kind="loft-fit", title=f"{study.title}, {study.club.name}",
+            tables=(_lofts_table(self), *tables, _curve_table(self)),
+            lead=(*advice_lead(advice), *_flat(self)), notes=(note("best-loft-delivered"), *advice_notes(advice)),
+            provenance=study_provenance(study, [study.club]), draw=lambda: [loft_fit_picture(self)],
+        )  # fmt: skip
 
 
 def fit_loft(
@@ -215,3 +234,55 @@ def steady_golfer(club: str = "driver", **delivery: Any) -> Golfer:
         mean=np.array(list(values.values())), covariance=np.zeros((len(values), len(values))),
         sources={f"{part} of {name}": "given" for name in values for part in ("mean", "spread")},
     )  # fmt: skip
+
+
+def _lofts_table(fitted: LoftFit) -> Table:
+    judges = fitted.objectives
+    flat = [fitted.flat(each.name) for each in judges]
+    columns = (
+        text("objective", [each.name for each in judges], printed=False),
+        text("what counts", [each.quantity.label for each in judges], in_files=False),
+        column("loft", [fitted.best(each.name) for each in judges], "loft", label="best loft"),
+        column("flat_from_loft", [low for low, _ in flat], "loft", label="flat from"),
+        column("flat_to_loft", [high for _, high in flat], "loft", label="to"),
+        Column("worth", [fitted.advice.worth[each.name] for each in judges], [each.quantity for each in judges],
+               "within"),
+    )  # fmt: skip
+    return Table("lofts", columns, "Dynamic loft, by what counts")
+
+
+def _flat(fitted: LoftFit) -> Iterator[Note]:
+    judge = fitted.objectives[0]
+    low, high = fitted.flat(judge.name)
+    yield note(
+        "best-loft-flat", label=short_label(judge), best_loft=fitted.best(judge.name), low_loft=low, high_loft=high,
+        worth=judge.show(fitted.advice.worth[judge.name]),
+    )  # fmt: skip
+    advice = fitted.advice
+    if beyond := [short_label(each) for each in fitted.objectives if advice.best(each.name) in advice.at_an_end]:
+        ends = float(fitted.lofts[0]), float(fitted.lofts[-1])
+        yield note("best-loft-at-an-end", labels=beyond, low_loft=ends[0], high_loft=ends[1])
+
+
+def _curve_table(fitted: LoftFit) -> Table:
+    columns = (
+        column("loft", fitted.lofts, "loft"),
+        *(Column(judge.name, [float(each) for each in fitted.values[:, place]], judge.quantity)
+          for place, judge in enumerate(fitted.objectives)),
+    )  # fmt: skip
+    return Table("curve", columns, "What loft is worth", printed=False)
+
+
+def loft_fit_picture(fitted: LoftFit) -> Picture:
+    """Return what each loft gains on the present one by each objective, in differences worth a change."""
+    marks = [Mark("rule", x=fitted.present, style=-2, dash=1), Mark("rule", y=[-1.0, 0.0, 1.0], style=-1)]
+    for style, judge in enumerate(fitted.objectives):
+        worth = fitted.advice.worth[judge.name]
+        behind = judge.sign * fitted.values[:, style]
+        gain = (float(np.interp(fitted.present, fitted.lofts, behind)) - behind) / worth
+        marks.append(Mark("line", fitted.lofts, gain, style=style, label=f"{short_label(judge)}, {judge.show(worth)}"))
+    panel = Panel(
+        marks, axis("loft", quantity("loft").label), Axis(WORTHS, limits=(-4.0, 4.0)),
+        "Gain on the present loft (dashed); between -1 and 1 it is not worth a change", legend=True,
+    )  # fmt: skip
+    return Picture("loft-fit", "What each loft gains on the present one, by what counts", [[panel]], height=3.6)
