@@ -52,24 +52,17 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
     """
     target = Path(path)
     opened = _parquet if is_parquet(target) else _csv
-    random = np.random.default_rng(seed)
+    random, dimensions = np.random.default_rng(seed), shot_words().dimensions
     with whole_file(target) as file, opened(file, target) as write:
 
         def take(deliveries: Mapping[str, Floats], values: Mapping[str, Floats]) -> None:
-            columns = _columns({**deliveries, **values})
-            order = random.permutation(len(next(iter(columns.values()))))
-            write({name: each[order] for name, each in columns.items()})
+            columns, order = {}, random.permutation(len(next(iter(deliveries.values()))))
+            for name, numbers in {**deliveries, **values}.items():
+                heading, unit = heading_of(name, SI_UNITS[dimensions[name]])
+                columns[heading] = from_si(np.asarray(numbers), unit)[order]
+            write(columns)
 
         yield take
-
-
-def _columns(values: Mapping[str, Floats]) -> dict[str, Floats]:
-    dimensions = shot_words().dimensions
-    columns = {}
-    for name, numbers in values.items():
-        heading, unit = heading_of(name, SI_UNITS[dimensions[name]])
-        columns[heading] = from_si(np.asarray(numbers), unit)
-    return columns
 
 
 @contextmanager
@@ -114,13 +107,9 @@ class Scale(NamedTuple):
     bins: int
 
 
-def _scales() -> tuple[dict[str, Scale], dict[str, Scale]]:
-    quantities, launched = core.dispersion_quantities()
-    scales = [(name, Scale(least, most, bins)) for name, least, most, bins in quantities]
-    return dict(scales[:launched]), dict(scales[launched:])
-
-
-LAUNCHED, FLOWN = _scales()
+_QUANTITIES, _LAUNCHED = core.dispersion_quantities()
+SCALES = {name: Scale(least, most, bins) for name, least, most, bins in _QUANTITIES}
+LAUNCHED, FLOWN = dict([*SCALES.items()][:_LAUNCHED]), dict([*SCALES.items()][_LAUNCHED:])
 """What is counted of launches (to 0.005 m/s, 0.005 degrees and 0.1 rad/s, that is 1 rpm) and of flights (to 2 cm)."""
 LANDING = ("carry", "side")
 """The quantities that make a landing; a shot without a carry is lost."""
@@ -129,14 +118,8 @@ LANDING = ("carry", "side")
 class ShotTally:
     """Counts of shots; a shot with NaN is lost and counted as such.
 
-    Parameters
-    ----------
-    scales
-        How each quantity is counted.
-    centre
-        A value of each quantity near its mean, about which moments are summed.
-    threads
-        How many threads count, None for one on each core; the counts do not depend on it.
+    ``scales`` say how each quantity is counted, and ``centre`` has a value of each near its mean, about which moments
+    are summed. The counts do not depend on the ``threads`` that count, None for one on each core.
     """
 
     def __init__(self, scales: Mapping[str, Scale], centre: Mapping[str, float], threads: int | None = None) -> None:
@@ -229,10 +212,7 @@ class ImpactSetup(NamedTuple):
                 raise
             # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
             raise InputError("golfer", golfer.name, f"one whose mean shot has a result: {error}") from None
-        values = {name: float(getattr(launch, name)) for name in LAUNCHED}
-        if flight is not None:
-            values |= {name: float(getattr(flight, name)) for name in FLOWN}
-        return launch, values
+        return launch, {name: float(value) for name, value in _values(launch, flight).items()}
 
     def __call__(
         self,
@@ -244,13 +224,10 @@ class ImpactSetup(NamedTuple):
         launch, flight = self._strike(deliveries, "nan")
         if outside is not None:
             outside.add(launch)
-        values = {name: getattr(launch, name) for name in LAUNCHED}
-        if flight is not None:
-            values |= {name: getattr(flight, name) for name in FLOWN}
         if reasons is not None and not reasons:
             for problem in (launch if flight is None else flight).problems:
                 reasons.setdefault(problem.parameter, problem.reason)
-        return values
+        return _values(launch, flight)
 
     def _strike(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
         """Return launches and, if the balls fly, flights."""
@@ -259,12 +236,13 @@ class ImpactSetup(NamedTuple):
                 self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
                 threads=self.threads, accuracy=self.accuracy, on_error=on_error,
             )  # fmt: skip
-        if not self.flight:
-            return launch, None
-        flight = fly(
-            launch, air=self.air, wind=self.wind, ground=self.ground, threads=self.threads, on_error=on_error
-        )  # fmt: skip
-        return launch, flight
+        conditions = {"air": self.air, "wind": self.wind, "ground": self.ground}
+        return launch, fly(launch, **conditions, threads=self.threads, on_error=on_error) if self.flight else None
+
+
+def _values(launch: Launch, flight: Flight | None) -> dict[str, Floats]:
+    values = {name: getattr(launch, name) for name in LAUNCHED}
+    return values if flight is None else values | {name: getattr(flight, name) for name in FLOWN}
 
 
 CHUNK = 2**16
@@ -458,8 +436,7 @@ def dispersion(
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
     tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot, threads)
-    strokes, points, reasons = 0.0, [], {}
-    lies: dict[str, int] = dict.fromkeys(AT_REST, 0)
+    strokes, lies, points, reasons = 0.0, dict.fromkeys(AT_REST, 0), [], {}
     outside = RangeTally()
     for start in range(0, count, CHUNK):
         some = min(CHUNK, count - start)
@@ -470,9 +447,15 @@ def dispersion(
             each(deliveries, values)
         if flight:
             if start < DRAWN:
-                points.append(_landings(values["carry"][: DRAWN - start], values["side"][: DRAWN - start]))
+                carry, side = (values[name][: DRAWN - start] for name in LANDING)
+                landings = np.stack([forward(carry, side), side], axis=1)
+                points.append(landings[np.isfinite(landings).all(axis=1)])
             if hole is not None:
-                strokes += _count_strokes(hole, values, lies)
+                kept = np.isfinite(values["carry"])
+                total, right = values["total"][kept], values["total_side"][kept]
+                names, expected = hole.at_rest(forward(total, right), right)
+                strokes += float(expected.sum())
+                lies = {name: number + int((names == name).sum()) for name, number in lies.items()}
         if progress is not None:
             progress(start + some, count)
     if tally.counted == 0:
@@ -486,18 +469,3 @@ def dispersion(
         points=np.concatenate(points) if points else np.empty((0, 2)), reasons=reasons, mean_launch=launch,
         conditions={"air": air, "wind": wind, "ground": ground},
     )  # fmt: skip
-
-
-def _landings(carry: Floats, side: Floats) -> Floats:
-    landings = np.stack([forward(carry, side), side], axis=1)
-    return landings[np.isfinite(landings).all(axis=1)]
-
-
-def _count_strokes(hole: Hole, values: Mapping[str, Floats], lies: dict[str, int]) -> float:
-    """Return the sum of the strokes expected after the shots with a result, and count their lies."""
-    kept = np.isfinite(values["carry"])
-    ahead, right = forward(values["total"][kept], values["total_side"][kept]), values["total_side"][kept]
-    names, strokes = hole.at_rest(ahead, right)
-    for name in lies:
-        lies[name] += int((names == name).sum())
-    return float(strokes.sum())

@@ -82,15 +82,7 @@ def _tensor(entries: Floats) -> Floats:
 
 
 class QuadraticForm(NamedTuple):
-    """A condition trace(J Q) >= 0 that mass in a volume meets.
-
-    Attributes
-    ----------
-    words
-        What is wrong where it is not met.
-    matrix
-        Q, shape (4, 4); without a unit.
-    """
+    """A condition trace(J Q) >= 0 on mass in a volume: what is wrong where it is not met, and Q, shape (4, 4)."""
 
     words: str
     matrix: Floats
@@ -151,22 +143,11 @@ WALL = 1e-3
 
 
 def room_inside(places: Floats, volume: Volume) -> Volume:
-    """Return the largest ellipsoid along the axes inside the convex hull of places and in a volume.
+    """Return the largest ellipsoid along the axes inside the convex hull of places, shape (n, 3), and in a volume.
 
     Masses in an ellipsoid have every distribution of moments that its conditions allow, so what is found for it can be
-    built inside the mesh. Of a hull there are no such conditions.
-
-    Parameters
-    ----------
-    places
-        Of a mesh, seen from the face centre [m], shape (n, 3).
-    volume
-        Where else mass may be.
-
-    Raises
-    ------
-    InputError
-        There is no room in both.
+    built inside the mesh. Of a hull there are no such conditions. It is an ``InputError`` where there is no room in
+    both.
     """
     from scipy.optimize import minimize
 

@@ -68,20 +68,27 @@ OF_FEW = 1.07
 """How much wider intervals from so few parts are: Student's distribution of 19 degrees of freedom, 2.09 for 1.96."""
 
 
-def mixture(steps: Floats) -> tuple[Floats, float, float]:
-    """Return covariance, share and scale of mishits of the greatest likelihood; share 0 where they gain too little."""
-    covariance = covariance_of(steps, 0.0, 1.0)
-    best = _weighed(steps, covariance, 0.0, 1.0).likelihood + GAIN
-    result = (covariance, 0.0, 1.0)
+class Mixture(NamedTuple):
+    """The covariance of shots that are no mishits, and share and scale of those that are."""
+
+    covariance: Floats
+    share: float
+    scale: float
+
+
+def mixture(steps: Floats) -> Mixture:
+    """Return the mixture of the greatest likelihood; share 0 where mishits gain too little."""
+    result = Mixture(covariance_of(steps, 0.0, 1.0), 0.0, 1.0)
+    best, covariance = _weighed(steps, result).likelihood + GAIN, result.covariance
     for scale in map(float, SCALES):
         share = 0.1
         for _ in range(ROUNDS):
             covariance = covariance_of(steps, share, scale, start=covariance)
-            before, share = share, _weighed(steps, covariance, share, scale).mishits
+            before, share = share, _weighed(steps, Mixture(covariance, share, scale)).mishits
             if abs(share - before) < 1e-5:
                 break
-        if (likelihood := _weighed(steps, covariance, share, scale).likelihood) > best:
-            best, result = likelihood, (covariance, share, scale)
+        if (likelihood := _weighed(steps, Mixture(covariance, share, scale)).likelihood) > best:
+            best, result = likelihood, Mixture(covariance, share, scale)
     return result
 
 
@@ -90,11 +97,11 @@ def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | 
 
     ``start`` is a covariance to begin with, such as that of another share.
     """
-    first = shrunk(steps, np.full(len(steps), 0.5)).covariance
+    first, _ = shrunk(steps, np.full(len(steps), 0.5))
     covariance = first if start is None else start
     for _ in range(ROUNDS):
-        weights = _weighed(steps, covariance, share, scale).weights
-        before, covariance = covariance, shrunk(steps, weights).covariance
+        weights = _weighed(steps, Mixture(covariance, share, scale)).weights
+        before, (covariance, _) = covariance, shrunk(steps, weights)
         size = np.sqrt(np.outer(np.diag(first), np.diag(first)))
         if (np.diag(covariance) < VANISHES * np.diag(first)).any():
             raise np.linalg.LinAlgError
@@ -103,25 +110,13 @@ def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | 
     return covariance
 
 
-class Shrunk(NamedTuple):
-    """A covariance whose correlations are drawn towards zero, and by which share of them."""
+def shrunk(steps: Floats, weights: Floats) -> tuple[Floats, float]:
+    """Return the covariance of weighted differences of shots, and the share by which correlations are shrunk.
 
-    covariance: Floats
-    share: float
-
-
-def shrunk(steps: Floats, weights: Floats) -> Shrunk:
-    """Return the covariance of weighted differences of shots with correlations shrunk after Ledoit and Wolf (2004).
-
-    Their target is a multiple of the identity; here each quantity is in its own spread, so that spreads stay. The share
-    is the sum of the variances of the correlations over the sum of their squares, at most 1.
-
-    Parameters
-    ----------
-    steps
-        Differences of successive shots, shape (n, k).
-    weights
-        By which the square of each counts, shape (n,): 1/2 each for normally distributed shots.
+    The share is that of Ledoit and Wolf (2004): the sum of the variances of correlations over that of their squares.
+    Their target is a multiple of the identity; here each quantity is in its own spread, so that spreads stay.
+    ``weights``, by which the square of each of the ``steps`` counts, shape (n,), are 1/2 each for normally distributed
+    shots.
     """
     count = len(steps)
     weighted = steps * np.sqrt(weights)[:, None]
@@ -131,18 +126,12 @@ def shrunk(steps: Floats, weights: Floats) -> Shrunk:
     scaled = weighted / spread
     correlation = scaled.T @ scaled / count
     apart = ~np.eye(len(spread), dtype=bool)
-    sampled = ((scaled**2).T @ scaled**2 / count - correlation**2)[apart].sum() / max(
-        EFFECTIVE_SHARE * count - 1.0, 1.0
-    )
+    independent = max(EFFECTIVE_SHARE * count - 1.0, 1.0)
+    sampled = ((scaled**2).T @ scaled**2 / count - correlation**2)[apart].sum() / independent
     squares = (correlation[apart] ** 2).sum()
     share = float(min(sampled / squares, 1.0)) if squares > 0.0 else 0.0
     correlation[apart] *= 1.0 - share
-    return Shrunk(correlation * np.outer(spread, spread), share)
-
-
-def shrinkage(steps: Floats, covariance: Floats, share: float, scale: float) -> float:
-    """Return by which share the correlations of an estimated covariance were drawn towards zero."""
-    return shrunk(steps, _weighed(steps, covariance, share, scale).weights).share
+    return correlation * np.outer(spread, spread), share
 
 
 class _Weighed(NamedTuple):
@@ -153,7 +142,8 @@ class _Weighed(NamedTuple):
     mishits: float
 
 
-def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _Weighed:
+def _weighed(steps: Floats, mixed: Mixture) -> _Weighed:
+    covariance, share, scale = mixed
     widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
     chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
     root = np.linalg.cholesky(covariance)
@@ -168,8 +158,9 @@ def _weighed(steps: Floats, covariance: Floats, share: float, scale: float) -> _
     return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
 
 
-def error_of(steps: Floats, covariance: Floats, share: float, scale: float) -> Floats:
+def error_of(steps: Floats, mixed: Mixture) -> Floats:
     """Return the standard errors of the spreads: of the sample, and of not knowing the mishits."""
+    covariance, share, scale = mixed
     spread = np.sqrt(np.diag(covariance))
     of_sample = spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
     if len(steps) + 1 >= ENOUGH:
@@ -182,21 +173,17 @@ def error_of(steps: Floats, covariance: Floats, share: float, scale: float) -> F
 
 def _doubt(steps: Floats, spread: Floats) -> Floats:
     """Return how far off the spreads are in proportion: in the root mean square over mixtures by their likelihood."""
-    covariances = [covariance_of(steps, *each) for each in MIXTURES]
-    logs = np.array(
-        [
-            _weighed(steps, each, share, scale).likelihood
-            for (share, scale), each in zip(MIXTURES, covariances, strict=True)
-        ]
-    )
+    mixtures = [Mixture(covariance_of(steps, *each), *each) for each in MIXTURES]
+    logs = np.array([_weighed(steps, each).likelihood for each in mixtures])
     before = [NO_MISHITS, *[(1.0 - NO_MISHITS) / (len(MIXTURES) - 1)] * (len(MIXTURES) - 1)]
     chances = before * np.exp(EFFECTIVE_SHARE * (logs - logs.max()))
-    away = np.log(np.sqrt([np.diag(each) for each in covariances]) / spread)
+    away = np.log(np.sqrt([np.diag(each.covariance) for each in mixtures]) / spread)
     return np.sqrt(chances @ away**2 / chances.sum())
 
 
-def mean_of(values: Floats, covariance: Floats, share: float, scale: float) -> Floats:
+def mean_of(values: Floats, mixed: Mixture) -> Floats:
     """Return the mean in which a shot counts the less, the more likely it is a mishit."""
+    covariance, share, scale = mixed
     mean, size = np.median(values, axis=0), values.shape[1]
     if share == 0.0:
         return values.mean(axis=0)
@@ -321,22 +308,21 @@ def estimate_golfer(
         if _dependent(steps):
             raise np.linalg.LinAlgError
         if len(values) < ENOUGH:
-            share, scale = base.mishit_share, base.mishit_scale
-            covariance = covariance_of(steps, share, scale)
+            mishits_of_base = base.mishit_share, base.mishit_scale
+            mixed = Mixture(covariance_of(steps, *mishits_of_base), *mishits_of_base)
         else:
-            covariance, share, scale = mixture(steps)
-        mean = mean_of(values, covariance, share, scale)
-        error = error_of(steps, covariance, share, scale)
-        shrinks = shrinkage(steps, covariance, share, scale)
+            mixed = mixture(steps)
+        mean, error = mean_of(values, mixed), error_of(steps, mixed)
+        _, shrinks = shrunk(steps, _weighed(steps, mixed).weights)
     except np.linalg.LinAlgError:
         problem = Wording("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", problem, f"leave out the column of one of {', '.join(names)}") from None
-    together = _together(base, names, mean, covariance, same, shots)
+    together = _together(base, names, mean, mixed.covariance, same, shots)
     looked_for = len(values) >= ENOUGH
     together["sources"]["mishits"] = f"measured: {shots.source}" if looked_for else f"assumed: as of {base.name}"
     fitted = Golfer(
-        name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=share,
-        mishit_scale=scale if share > 0.0 else 1.0, **together,
+        name=name, title=f"{name}, {shots.club.name}", club=shots.club.name, hand=base.hand, mishit_share=mixed.share,
+        mishit_scale=mixed.scale if mixed.share > 0.0 else 1.0, **together,
     )  # fmt: skip
     total = np.sqrt(np.diag(fitted.total_covariance))
     if order is None:
@@ -495,14 +481,8 @@ LEAST = 0.01
 class Doubt(NamedTuple):
     """What the landings do if one figure is smaller or larger.
 
-    Attributes
-    ----------
-    figure
-        As :meth:`Golfer.source` names it: "spread of face", "correlation", "mishits".
-    assumed
-        Whether it has no published or measured source.
-    spread
-        Standard deviation [m] of each of ``QUANTITIES`` with the figure smaller and larger, shape (2,).
+    The ``figure`` has its name of :meth:`Golfer.source`, and is ``assumed`` where it has no published or measured
+    source; ``spread`` is the standard deviation [m] of each of ``QUANTITIES`` with it smaller and larger.
     """
 
     figure: str
@@ -511,18 +491,10 @@ class Doubt(NamedTuple):
 
 
 class Doubts(NamedTuple):
-    """How far the spread of the landings rests on each figure.
+    """How far the spread of the landings rests on each figure, the one that changes the landings most first.
 
-    Attributes
-    ----------
-    off
-        Share by which every figure is changed.
-    spread
-        Standard deviation [m] of each of ``QUANTITIES`` with all figures as they are.
-    figures
-        Each figure, the one that changes the landings most first.
-    shots
-        Shots of each change.
+    Every figure is changed by the share ``off``; ``spread`` is the standard deviation [m] of each of ``QUANTITIES``
+    with all as they are. Each change is of so many ``shots``.
     """
 
     off: float
@@ -537,16 +509,9 @@ class Doubts(NamedTuple):
 
 
 def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) -> Doubts:
-    """Hit the shots of a golfer with each spread, the correlations and the share of mishits off by ``off`` either way.
+    """Hit a golfer's shots with each spread, the correlations and the share of mishits off by ``off`` either way.
 
-    Parameters
-    ----------
-    golfer, club
-        Who hits what, by the default model in still air.
-    off
-        Share, from above 0 to below 1.
-    count
-        Shots of each change.
+    It is by the default model in still air, with ``count`` shots of each change; ``off`` is a share.
     """
     if not 0.0 < off < 1.0:
         raise InputError("off", off, "a share between 0 and 1")

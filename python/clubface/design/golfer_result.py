@@ -46,14 +46,8 @@ def golfer_result(
 ) -> Result:
     """Return a golfer as a result.
 
-    Parameters
-    ----------
-    golfer
-        The golfer.
-    club
-        The club he hits; None where it is unknown.
-    estimate, doubts
-        From which shots he was estimated, and what rests on each figure.
+    ``club`` is the one he hits, None where it is unknown; ``estimate`` and ``doubts`` say from which shots he was
+    estimated, and what rests on each figure.
     """
     launches = [] if club is None else [impact(club, golfer.for_hand(club.hand).delivery())]
     inputs = {"golfer": golfer.title or golfer.name, "hand": "right" if golfer.hand > 0 else "left"}

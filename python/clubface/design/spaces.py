@@ -38,18 +38,10 @@ QUANTITIES = (
 
 
 class Space(NamedTuple):
-    """What a head may be, if nothing else is known of it.
+    """What a head may be, if nothing else is known of it, and where all of it comes from.
 
-    Attributes
-    ----------
-    volume
-        Where its mass may be.
-    displaced
-        Its volume as the rules measure it [m3], or None.
-    free
-        The mass that may be placed freely [kg].
-    origin
-        Where all of it comes from, in words.
+    ``volume`` is where its mass may be, ``displaced`` its volume as the rules measure it [m3], or None, and ``free``
+    the mass that may be placed freely [kg].
     """
 
     volume: Volume

@@ -212,9 +212,8 @@ def indices(
     if not varies.any():
         raise InputError("golfer", golfer.name, "one whose deliveries vary: nothing spreads the shots")
     names = tuple(name for name, does in zip(golfer.variables, varies, strict=True) if does)
-    held = {
-        name: np.asarray(mean) for name, mean in zip(golfer.variables, golfer.mean, strict=True) if name not in names
-    }
+    means = zip(golfer.variables, golfer.mean, strict=True)
+    held = {name: np.asarray(mean) for name, mean in means if name not in names}
 
     def outcome(values: Floats) -> Floats:
         result = setup({**held, **dict(zip(names, values, strict=True))})

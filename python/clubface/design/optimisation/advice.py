@@ -74,12 +74,9 @@ BETTER, WORSE, ALIKE, OPEN = "better", "worse", "alike", "not certain"
 
 
 def worth_of(given: Mapping[str, Any] | None) -> dict[str, float]:
-    """Return the smallest difference worth a change of every objective [SI]: those given, :data:`WORTH` for the others.
+    """Return the smallest difference worth a change of every objective [SI]: those given, ``WORTH`` for the others.
 
-    Raises
-    ------
-    InputError
-        A name is none of an objective, or a value is not above 0.
+    A name that is none of an objective, or a value that is not above 0, is an ``InputError``.
     """
     result = dict(WORTH)
     for name, value in (given or {}).items():
@@ -93,23 +90,7 @@ def worth_of(given: Mapping[str, Any] | None) -> dict[str, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class AdvisedStudy:
-    """What optimisations and fittings have in common: for whom they are, on which shots, and what is worth a change.
-
-    Attributes
-    ----------
-    title
-        Its name in reports.
-    golfers
-        Each with how much he counts.
-    hole
-        For the expected strokes.
-    setting
-        Model, ball and air.
-    shots, seed
-        Shots of a golfer, and the seed of all random numbers.
-    worth
-        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
-    """
+    """What optimisations and fittings have in common; their attributes are described there."""
 
     title: str
     golfers: tuple[tuple[Golfer, float], ...]
@@ -449,12 +430,8 @@ def advice_tables(
 ) -> tuple[Table, Table, Table]:
     """Return what to do by objective, the alternatives with all objectives, and what separates them.
 
-    Parameters
-    ----------
-    fields
-        Further columns of the alternatives, such as their lofts.
-    shown
-        Which alternatives people see; None for all.
+    ``fields`` are further columns of the alternatives, such as their lofts; ``shown`` are those that people see, None
+    for all.
     """
     shown = range(len(advice.names)) if shown is None else shown
     return _by_objective(advice), _alternatives(advice, fields, shown), _differences(advice, shown)

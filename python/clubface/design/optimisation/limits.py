@@ -115,7 +115,7 @@ class Buildable:
     def gradients(self, state: State) -> Floats:
         """Return their derivatives; that of an eigenvalue is its vector's change (Magnus, 1985)."""
         values, budget = self.values(state), self.envelope.budget
-        by_name = dict(zip(MASS_PROPERTIES, pseudo_inertia_derivatives(values), strict=True))
+        by_name: dict[str, Floats] = dict(zip(MASS_PROPERTIES, pseudo_inertia_derivatives(values), strict=True))
         by_numbers = sum(by_name[name][..., None] * state.slopes[name] for name in self._changing)
         assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
         result = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]

@@ -517,12 +517,9 @@ def optimum_picture(optimum: Optimum) -> Picture:
 
 
 def landings_panel(landed: Mapping[str, Floats]) -> Panel:
-    """Return where shots come down and the ellipses that hold ``SHARE`` of them.
+    """Return where shots come down, and the ellipses that hold ``SHARE`` of them.
 
-    Parameters
-    ----------
-    landed
-        Carry and side [m] by what made them, each of shape (landings, shots).
+    ``landed`` has landings [m] by what made them, each of shape (landings, shots).
     """
     marks, ellipses = [], []
     for style, (name, values) in enumerate(landed.items()):

@@ -50,20 +50,11 @@ _ENTRIES = [(i, j) for i in range(4) for j in range(i, 4)]
 
 @dataclass(frozen=True, kw_only=True)
 class Variables:
-    """The numbers that an optimiser turns.
+    """The numbers that an optimiser turns, from a ``base`` club.
 
-    Attributes
-    ----------
-    base
-        The club to start from.
-    bounds
-        Least and greatest value [SI] of every field that is a number of its own.
-    envelope
-        What the head may be; None where its distribution of mass does not change.
-    distributed
-        Whether the whole distribution of mass is free. The mass is then that of the base unless it has bounds.
-    held
-        Other fields that every club has [SI], where they are not those of the base.
+    Every field with ``bounds`` [SI] is a number of its own. Where the distribution of mass changes, the head is in an
+    ``envelope``; where all of it is free, it is ``distributed``, and the mass is that of the base unless it has bounds.
+    Fields that are ``held`` [SI] are the same in every club, and other than those of the base.
     """
 
     base: Club

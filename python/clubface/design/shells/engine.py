@@ -76,10 +76,7 @@ Task = tuple[str, int]
 class Engine:
     """Judges designs by finite elements, several runs at a time, and keeps each run that has finished.
 
-    Attributes
-    ----------
-    runs
-        Number of runs that judgements took, with those that were found in the store.
+    ``runs`` is how many runs the judgements took, those that were found in the store among them.
     """
 
     def __init__(self, study: ShellStudy, kept: Finished, workers: int | None) -> None:

@@ -58,17 +58,8 @@ def elastic(metal: Metal) -> Metal:
 def metal_choices(metals: Sequence[NamedMetal], groups: Sequence[str]) -> tuple[MetalChoice, ...]:
     """Return all ways to make a head of metals; without any, that of its own metals.
 
-    Metals that name the same groups are alternatives for these, and those that name none for all other groups.
-
-    Parameters
-    ----------
-    groups
-        The groups of the mesh of the head; none of a head that is of one metal.
-
-    Raises
-    ------
-    InputError
-        A group is unknown or has two lists of metals, or there are too many choices.
+    Metals that name the same ``groups`` of a mesh are alternatives for these, and those that name none for all others;
+    a head of one metal has no groups. A group that is unknown or has two lists of metals is an ``InputError``.
     """
     if not metals:
         return (MetalChoice(name="that of the head", metals={}),)
