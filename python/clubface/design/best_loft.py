@@ -14,22 +14,22 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from clubface import published_data, units
+from clubface.design.dispersion import ImpactSetup
 from clubface.design.optimisation.advice import WORTH, worth_of
 from clubface.equipment.balls import Ball
-from clubface.equipment.clubs import Club
+from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
-from clubface.errors import InputError, RangeWarning, Wording
+from clubface.errors import InputError, Wording
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
-from clubface.simulation.flight import fly
-from clubface.simulation.impact import Parameters, impact
+from clubface.simulation.impact import Parameters
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.support.arrays import Floats
-from clubface.support.checks import check_choice, without_warnings
+from clubface.support.checks import check_choice
 
 SHOWN = {"loft": "loft", "ball_speed": "ball_speed", "launch": "launch", "spin": "total_spin", "carry": "carry"}
 """Columns that are printed, and what they are of."""
@@ -162,19 +162,16 @@ def best_loft(
             raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
 
     enough = worth_of(worth)["carry"]
-    fixed: dict[str, Any] = {"model": model, "parameters": parameters, "ball": ball, "accuracy": accuracy}
+    setup = ImpactSetup(club_named(club), model, parameters, ball, air, wind, ground, accuracy=accuracy)
     done, shots = 0, len(speeds) * (ROUNDS * POINTS + 1 + 2 * HALVINGS)
     counted = progress and (lambda before, now: progress(before + now, shots))
 
-    def strike(lofts: Floats) -> tuple[Any, Any]:
+    def strike(lofts: Floats) -> tuple[Launch, Any]:
         nonlocal done
-        with without_warnings(RangeWarning):
-            launch = impact(
-                club, {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts},
-                on_error="nan", progress=counted and partial(counted, done), **fixed,
-            )  # fmt: skip
-            done += lofts.size
-            return launch, fly(launch, air=air, wind=wind, ground=ground, on_error="nan")
+        values = {**delivery, "speed": speeds[:, None], "attack": attacks[:, None], "loft": lofts}
+        result = setup.strike(values, progress=counted and partial(counted, done))
+        done += lofts.size
+        return result
 
     low, high = np.full_like(speeds, LEAST), np.full_like(speeds, MOST)
     best = low
@@ -184,7 +181,7 @@ def best_loft(
         if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
             speed, attack = float(speeds[lost[0]]), float(attacks[lost[0]])
             values = {"speed": speed, "attack": attack, "loft": float(np.clip(attack + BEYOND, LEAST, MOST))}
-            fly(impact(club, {**delivery, **values}, **fixed), air=air, wind=wind)  # the error explains it
+            setup.strike({**delivery, **values}, "raise")  # the error explains it
         place = np.argmax(reached, axis=1)
         step = (high - low) / (POINTS - 1)
         best = lofts[np.arange(len(place)), place]

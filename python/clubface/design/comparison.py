@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -143,6 +144,7 @@ class Compared(Described):
     def to_result(self) -> Result:
         """Return the alternatives, their differences and what makes them as a result."""
         first, *others = self.names
+        title = f'"{first}" compared with ' + ", ".join(f'"{name}"' for name in others)
         split = {name: each for name, each in self.contributions.items() if each.changes}
         shapes = [shape_note("comparison-shape", each, name=name) for name, each in self.flights.items()]
         differences = [text("alternative", others), text("compared_with", [first] * len(others), printed=False)]
@@ -151,16 +153,12 @@ class Compared(Described):
         if split:
             tables.append(self._contributions(split))
         return Result(
-            kind="comparison", title=self._title(), tables=tuple(tables),
+            kind="comparison", title=title, tables=tuple(tables),
             assumptions=(*assumptions_of(self.launches.values()), *rigid_faces(self.launches)),
             summary=(*shapes, *self._summary()), notes=(*shapes, *self._notes()),
             provenance=provenance_of(self.launches.values(), flight_conditions(**self.conditions)),
             draw=lambda: [comparison_picture(self)],
         )  # fmt: skip
-
-    def _title(self) -> str:
-        first, *others = (f'"{name}"' for name in self.names)
-        return f"{first} compared with {', '.join(others)}"
 
     def _differences(self, name: str) -> Floats:
         return self._levels[name] - self._levels[self.names[0]]
@@ -386,11 +384,12 @@ def compare(
         launches = {name: _launch(name, each) for name, each in asked.items()}
         flights = {name: fly(each, **conditions) for name, each in launches.items()}
         first, *others = asked
+        count = progress and (lambda place, done, whole: progress(place * whole + done, len(others) * whole))
         parts = {}
         for place, name in enumerate(others if split else ()):
             parts[name] = contributions(
                 _stages(asked[first], asked[name], launches[first], launches[name]), launches[name], conditions,
-                ball=asked[name].ball, nodes=nodes, progress=progress and _counted(progress, place, len(others)),
+                ball=asked[name].ball, nodes=nodes, progress=count and partial(count, place),
             )  # fmt: skip
     warn_if_outside(launches.values())
     return Compared(launches, flights, parts, conditions)
@@ -403,22 +402,15 @@ def _launch(name: str, alternative: Alternative) -> Launch:
         raise ShotError(f"{error.parameter} of {name}", error.value, error.allowed) from None
 
 
-def _counted(progress: Callable[[int, int], object], place: int, count: int) -> Callable[[int, int], object]:
-    return lambda done, whole: progress(place * whole + done, count * whole)
-
-
 def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
-    if isinstance(given, Alternative):
-        result = given
-    elif isinstance(given, Mapping):
+    if isinstance(given, Mapping):
         check_names("field of an alternative", given, [each.name for each in fields(Alternative)])
-        for name in ("club", "delivery"):
-            if name not in given:
-                raise InputError(name, None, "give it for each alternative")
-        result = Alternative(**given)
-    else:
+        if missing := [name for name in ("club", "delivery") if name not in given]:
+            raise InputError(missing[0], None, "give it for each alternative")
+        given = Alternative(**given)
+    elif not isinstance(given, Alternative):
         raise InputError("an alternative", given, "an Alternative or a mapping of its fields")
-    return replace(result, club=club_of(result.club), delivery=dict(as_values(result.delivery, {})))
+    return replace(given, club=club_of(given.club), delivery=dict(as_values(given.delivery, {})))
 
 
 def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[tuple[str, Launch]]:

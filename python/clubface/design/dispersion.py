@@ -206,7 +206,7 @@ class ImpactSetup(NamedTuple):
     def mean(self, golfer: Golfer) -> tuple[Launch, dict[str, float]]:
         """Return launch and quantities [SI] of the mean delivery; an error with the reason if it has no result."""
         try:
-            launch, flight = self._strike(golfer.delivery(), "raise")
+            launch, flight = self.strike(golfer.delivery(), "raise")
         except ShotError as error:
             if error.parameter not in golfer.variables:
                 raise
@@ -221,7 +221,7 @@ class ImpactSetup(NamedTuple):
         outside: RangeTally | None = None,
     ) -> dict[str, Floats]:
         """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
-        launch, flight = self._strike(deliveries, "nan")
+        launch, flight = self.strike(deliveries)
         if outside is not None:
             outside.add(launch)
         if reasons is not None and not reasons:
@@ -229,12 +229,17 @@ class ImpactSetup(NamedTuple):
                 reasons.setdefault(problem.parameter, problem.reason)
         return _values(launch, flight)
 
-    def _strike(self, deliveries: Any, on_error: Literal["raise", "nan"]) -> tuple[Launch, Flight | None]:
-        """Return launches and, if the balls fly, flights."""
+    def strike(
+        self,
+        deliveries: Any,
+        on_error: Literal["raise", "nan"] = "nan",
+        progress: Callable[[int], object] | None = None,
+    ) -> tuple[Launch, Flight | None]:
+        """Return launches and, if the balls fly, flights; without the warning of what is outside the model's range."""
         with without_warnings(RangeWarning):  # the warning is for all shots together
             launch = impact(
                 self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
-                threads=self.threads, accuracy=self.accuracy, on_error=on_error,
+                threads=self.threads, accuracy=self.accuracy, on_error=on_error, progress=progress,
             )  # fmt: skip
         conditions = {"air": self.air, "wind": self.wind, "ground": self.ground}
         return launch, fly(launch, **conditions, threads=self.threads, on_error=on_error) if self.flight else None

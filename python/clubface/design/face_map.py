@@ -10,6 +10,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
+from clubface.design.dispersion import ImpactSetup
 from clubface.design.face_surface import ComputedFace, Interpolated, Outline, Struck, Surface, outline_of, run_points
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club, club as club_of
@@ -322,8 +323,7 @@ def map_face(
     else:
         with without_warnings(RangeWarning):
             centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
-    conditions = {"air": air, "wind": wind, "ground": ground}
-    settled = Struck(chosen, model, centre.parameters, ball, accuracy, given, conditions)
+    settled = Struck(ImpactSetup(chosen, model, centre.parameters, ball, air, wind, ground, accuracy=accuracy), given)
     if centre.shape:
         raise InputError("delivery", Wording(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)
@@ -342,7 +342,7 @@ def map_face(
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
         raise RunError("no point of the face has a shot")
-    return FaceMap(toe, high, table, outline, surface, centre, conditions)
+    return FaceMap(toe, high, table, outline, surface, centre, {"air": air, "wind": wind, "ground": ground})
 
 
 def checked_grid(grid: Any) -> tuple[int, int]:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.design import core
 from clubface.design.contributions import FLOWN, LAUNCHED, QUANTITIES
+from clubface.design.dispersion import ImpactSetup
 from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import turn_to_sole
@@ -24,30 +25,25 @@ from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Finished, store_for, unfinished_folder
 from clubface.jobs.workers import in_threads, worker_count
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, fly
-from clubface.simulation.impact import Tally, impact
+from clubface.simulation.impact import Tally
 from clubface.simulation.results import outputs
 from clubface.support.arrays import Floats
-from clubface.support.checks import is_silent, without_warnings
+from clubface.support.checks import is_silent
 
 CHUNK = 2**16
 """Points in memory at a time."""
 
 
 class Struck(NamedTuple):
-    """How a face is struck: everything but where, as for :func:`clubface.impact`; ``conditions`` are of the flights."""
+    """How a face is struck: everything but where."""
 
-    club: Club
-    model: str
-    parameters: Any
-    ball: Any
-    accuracy: float | None
+    setup: ImpactSetup
     delivery: Mapping[str, Any]
-    conditions: Mapping[str, Any]
 
     @property
     def takes_long(self) -> bool:
         """Whether the model takes tenths of a second a shot, so that points of the face are few."""
-        return self.model in MODULES
+        return self.setup.model in MODULES
 
     def at(
         self, toe: Floats, high: Floats, *, remark: bool = False, progress: Callable[[int, int], object] | None = None
@@ -60,13 +56,9 @@ class Struck(NamedTuple):
         result, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
         for start in range(0, toe.size, CHUNK):
             some = slice(start, start + CHUNK)
-            with without_warnings(RangeWarning):
-                launch = impact(
-                    self.club, {**self.delivery, "toe": toe[some], "high": high[some]}, model=self.model,
-                    parameters=self.parameters, ball=self.ball, accuracy=self.accuracy, on_error="nan",
-                    progress=count and partial(count, start),
-                )  # fmt: skip
-                flight = fly(launch, **self.conditions, on_error="nan")
+            values = {**self.delivery, "toe": toe[some], "high": high[some]}
+            launch, flight = self.setup.strike(values, progress=count and partial(count, start))
+            assert flight is not None
             outside.add(launch)
             result[:, some] = [(launch if name in LAUNCHED else flight).get(name) for name in QUANTITIES]
         if remark and not is_silent(RangeWarning):
@@ -87,14 +79,14 @@ def run_points(
 
     worker_count(workers)
     places = list(zip(toe.tolist(), high.tolist(), strict=True))
-    friction = struck.parameters.values["friction"]
+    setup, friction = struck.setup, struck.setup.parameters.values["friction"]
 
     def compute(
         place: tuple[float, float], keep_going: Callable[[float, float], object], threads: int
     ) -> list[float | None]:
         try:
             result = strike(
-                struck.club, {**struck.delivery, "toe": place[0], "high": place[1]}, ball=struck.ball,
+                setup.club, {**struck.delivery, "toe": place[0], "high": place[1]}, ball=setup.ball,
                 friction=friction, settings=Settings(until_separation=True, threads=threads), progress=keep_going,
             )  # fmt: skip
             launch = None if result.stopped is not None else result.launch
@@ -106,7 +98,7 @@ def run_points(
     with _store(output, struck, places) as store:
         job = Job("points", places, compute, lambda place: f"{place[0]!r},{place[1]!r}")
         rows = run(job, partial(in_threads, workers=workers), store=store, progress=progress)
-    return _with_flights(struck, np.array([rows[place] for place in places], dtype=float).T)
+    return _with_flights(setup, np.array([rows[place] for place in places], dtype=float).T)
 
 
 def finished(output: str | os.PathLike[str] | None) -> None:
@@ -115,7 +107,7 @@ def finished(output: str | os.PathLike[str] | None) -> None:
         shutil.rmtree(unfinished_folder(Path(output)), ignore_errors=True)
 
 
-def _with_flights(struck: Struck, table: Floats) -> Floats:
+def _with_flights(setup: ImpactSetup, table: Floats) -> Floats:
     """Return ``QUANTITIES`` for outputs of launches, shape (outputs, points)."""
     from clubface.fem.balls import ball
 
@@ -125,8 +117,9 @@ def _with_flights(struck: Struck, table: Floats) -> Floats:
     result[: len(LAUNCHED)] = [by_name[name] for name in LAUNCHED]
     if good.any():
         given: dict[str, Any] = {name: by_name[name][good] for name in (*VELOCITY, *SPIN)}
-        rigid = ball(struck.ball).rigid.inputs()
-        flight = fly({**given, **{name: rigid[name] for name in BALL}}, **struck.conditions, on_error="nan")
+        rigid = ball(setup.ball).rigid.inputs()
+        given |= {name: rigid[name] for name in BALL}
+        flight = fly(given, air=setup.air, wind=setup.wind, ground=setup.ground, on_error="nan")
         result[len(LAUNCHED) :, good] = [flight.get(name) for name in FLOWN]
     return result
 
@@ -136,12 +129,13 @@ def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[t
     from clubface.fem.balls import ball
     from clubface.fem.heads.meshed import mesh_of
 
-    head = mesh_of(struck.club)
+    setup = struck.setup
+    head = mesh_of(setup.club)
     content = {
-        "club": [struck.club.inputs(), None if head is None else head.values()],
-        "ball": ball(struck.ball).values(),
+        "club": [setup.club.inputs(), None if head is None else head.values()],
+        "ball": ball(setup.ball).values(),
         "delivery": dict(struck.delivery),
-        "parameters": dict(struck.parameters.values),
+        "parameters": dict(setup.parameters.values),
         "grid": places,
     }
     folder = None if output is None else unfinished_folder(Path(output))

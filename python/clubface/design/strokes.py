@@ -107,12 +107,6 @@ def _row(values: Floats) -> Floats:
     return np.ascontiguousarray(values).ravel()
 
 
-def as_lists(lie: str) -> tuple[list[float], list[float]]:
-    """Return the table of a lie: distances [m] and strokes."""
-    places, strokes = _table(lie)
-    return places.tolist(), strokes.tolist()
-
-
 def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
     given = {"ahead": ahead, "right": right}
     places = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
@@ -123,11 +117,10 @@ def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
 
 
 @cache
-def _table(lie: str) -> tuple[Floats, Floats]:
+def as_lists(lie: str) -> tuple[list[float], list[float]]:
+    """Return the table of a lie: distances [m] and strokes."""
     check_choice("lie", lie, (*LIES, GREEN))
-    if lie == GREEN:
-        table = published_data.table("putts-to-hole-out")
-        return table["distance"], table["putts"]
-    table = published_data.table("strokes-to-hole-out")
-    printed = np.isfinite(table[lie])
-    return table["distance"][printed], table[lie][printed]
+    table = published_data.table("putts-to-hole-out" if lie == GREEN else "strokes-to-hole-out")
+    strokes = table["putts" if lie == GREEN else lie]
+    printed = np.isfinite(strokes)
+    return table["distance"][printed].tolist(), strokes[printed].tolist()

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface.design.shells.goal import PENALTY, Goal, Values
 from clubface.errors import RunError
+from clubface.support.arrays import Floats
 
-Fast = Callable[["NDArray[Any]"], Values]
+Fast = Callable[[Floats], Values]
 INSIDE = 5e-4
 """How far inside of a limit a proposal aims, relatively: on the limit, the error of the fast model would break it."""
 
@@ -26,15 +26,15 @@ INSIDE = 5e-4
 class Correction:
     """Factors by which the fast model is multiplied: exact at one place, with slopes."""
 
-    def __init__(self, names: Sequence[str], place: NDArray[Any], ratio: NDArray[Any]) -> None:
+    def __init__(self, names: Sequence[str], place: Floats, ratio: Floats) -> None:
         self.names, self._place, self._ratio = tuple(names), place, ratio
         self._slope = np.zeros((len(ratio), len(place)))
 
-    def set_slope(self, place: NDArray[Any], ratio: NDArray[Any], variable: int) -> None:
+    def set_slope(self, place: Floats, ratio: Floats, variable: int) -> None:
         """Take the slope along one variable from a neighbour."""
         self._slope[:, variable] = (ratio - self._ratio) / (place - self._place)[variable]
 
-    def learn(self, place: NDArray[Any], ratio: NDArray[Any], *, move: bool) -> None:
+    def learn(self, place: Floats, ratio: Floats, *, move: bool) -> None:
         """Make it exact at another place too, by the least change of slopes; ``move``: make that the place."""
         away = place - self._place
         missed = ratio - self._ratio - self._slope @ away
@@ -43,15 +43,13 @@ class Correction:
         if move:
             self._place, self._ratio = place, ratio
 
-    def __call__(self, place: NDArray[Any], fast: Values) -> Values:
+    def __call__(self, place: Floats, fast: Values) -> Values:
         """Return the values of the fast model at a place, corrected."""
         factors = np.exp(self._ratio + self._slope @ (place - self._place))
         return {name: fast[name] * float(factor) for name, factor in zip(self.names, factors, strict=True)}
 
 
-def propose(
-    fast: Fast, correction: Correction, place: NDArray[Any], radius: float, goal: Goal
-) -> tuple[NDArray[Any], Values]:
+def propose(fast: Fast, correction: Correction, place: Floats, radius: float, goal: Goal) -> tuple[Floats, Values]:
     """Return the best design of the corrected fast model near a place, and what it promises.
 
     A slack lets limits be broken at a price, so that a start outside them has a way back.
@@ -61,16 +59,16 @@ def propose(
     count = len(place)
     seen: dict[bytes, Values] = {}
 
-    def model(at: NDArray[Any]) -> Values:
+    def model(at: Floats) -> Values:
         key = at.tobytes()
         if key not in seen:
             seen[key] = correction(at, fast(at))
         return seen[key]
 
-    def cost(both: NDArray[Any]) -> float:
+    def cost(both: Floats) -> float:
         return goal.cost(model(both[:count])) + PENALTY * both[count]
 
-    def room(both: NDArray[Any]) -> NDArray[Any]:
+    def room(both: Floats) -> Floats:
         return both[count] - goal.excess(model(both[:count])) - INSIDE
 
     low, high = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
@@ -84,7 +82,7 @@ def propose(
     return at, model(at)
 
 
-Exact = Callable[[Sequence["NDArray[Any]"]], list[Values]]
+Exact = Callable[[Sequence[Floats]], list[Values]]
 
 LEAST_GAIN = 1e-4
 """A proposal that promises a smaller relative gain is not worth a run."""
@@ -143,7 +141,7 @@ class SearchResult:
 
 
 def trust_region_search(
-    fast: Fast, exact: Exact, start: NDArray[Any], goal: Goal, *, radius: float = 0.3, most: int = 20,
+    fast: Fast, exact: Exact, start: Floats, goal: Goal, *, radius: float = 0.3, most: int = 20,
     neighbours: bool = True, progress: Callable[[int, int], object] | None = None,
 ) -> SearchResult:  # fmt: skip
     """Search for the best design with few runs of an exact model.
@@ -184,14 +182,14 @@ class _Search:
         self._names = [goal.objective, *(name for name in goal.limits if name != goal.objective)]
 
     @property
-    def _place(self) -> NDArray[Any]:
+    def _place(self) -> Floats:
         return np.array(self._steps[self._best].place)
 
     @property
     def _values(self) -> Values:
         return self._steps[self._best].values
 
-    def run(self, start: NDArray[Any], neighbours: bool) -> SearchResult:
+    def run(self, start: Floats, neighbours: bool) -> SearchResult:
         """Search from a start."""
         values = self._exact([start])[0]
         if self._goal.violation(values) == math.inf:
@@ -211,15 +209,14 @@ class _Search:
             # Slopes that were learnt on the way are true along it alone: look round before believing them.
             if not neighbours or looked or not self._can_look_round(place):
                 ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
-                return self._ended(ended)
+                break
             self._look_round(place, NEAR)
             self._radius, looked = max(self._radius, AGAIN), True
-        return self._ended(f"{self._most} designs were judged, as many as allowed")
-
-    def _ended(self, ended: str) -> SearchResult:
+        else:
+            ended = f"{self._most} designs were judged, as many as allowed"
         return SearchResult(steps=tuple(self._steps), best=self._best, ended=ended)
 
-    def _note(self, place: NDArray[Any], kind: str, values: Values, promised: Values | None) -> bool:
+    def _note(self, place: Floats, kind: str, values: Values, promised: Values | None) -> bool:
         accepted = not self._steps or self._goal.better(values, self._values)
         self._steps.append(
             Step(
@@ -233,24 +230,25 @@ class _Search:
             self._progress(len(self._steps), self._most)
         return accepted
 
-    def _ratio(self, at: NDArray[Any], judged: Values) -> NDArray[Any]:
+    def _ratio(self, at: Floats, judged: Values) -> Floats:
         guessed = self._fast(at)
         return np.array([math.log(judged[name] / guessed[name]) for name in self._names])
 
-    def _can_look_round(self, place: NDArray[Any]) -> bool:
+    def _can_look_round(self, place: Floats) -> bool:
         return len(self._steps) + len(place) <= self._most
 
-    def _look_round(self, place: NDArray[Any], far: float) -> None:
+    def _look_round(self, place: Floats, far: float) -> None:
         """Let the exact model judge a neighbour along each variable, from which the slopes of the correction follow."""
-        others = _neighbours(place, far)
-        for variable, (at, judged) in enumerate(zip(others, self._exact(others), strict=True)):
+        others = np.tile(place, (len(place), 1))  # each on the side with more room
+        others += np.diag(np.where(place <= 0.5, far, -far))
+        for variable, (at, judged) in enumerate(zip(others, self._exact(list(others)), strict=True)):
             self._note(at, "neighbour", judged, None)
             if self._goal.violation(judged) < math.inf:
                 self._correction.set_slope(at, self._ratio(at, judged), variable)
         if not np.array_equal(self._place, place):
             self._correction.learn(self._place, self._ratio(self._place, self._values), move=True)
 
-    def _judge(self, proposed: NDArray[Any], promised: Values, gain: float) -> bool:
+    def _judge(self, proposed: Floats, promised: Values, gain: float) -> bool:
         """Let the exact model judge a proposal, learn from it, and return whether it failed, so that slopes stay."""
         place, merit = self._place, self._goal.merit(self._values)
         judged = self._exact([proposed])[0]
@@ -264,13 +262,3 @@ class _Search:
         elif kept < POOR:
             self._radius = 0.5 * far
         return not math.isfinite(kept)
-
-
-def _neighbours(place: NDArray[Any], far: float) -> list[NDArray[Any]]:
-    """Return a neighbour along each variable, on the side with more room."""
-    result = []
-    for variable, share in enumerate(place):
-        other = place.copy()
-        other[variable] += far if share <= 0.5 else -far
-        result.append(other)
-    return result
