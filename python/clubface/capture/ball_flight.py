@@ -74,12 +74,7 @@ class Launched(NamedTuple):
 def resting_places(seen: Array, rate: float) -> list[RestingBall]:
     """Return where the ball lies still, the last place first: it may be carried about before it is hit.
 
-    Parameters
-    ----------
-    seen
-        Its centre in every frame [m], shape (frames, 3); NaN where it is not seen.
-    rate
-        Frames a second.
+    ``seen`` is its centre in every frame [m], shape (frames, 3), NaN where it is not seen, at ``rate`` frames a second.
     """
     known = np.flatnonzero(visible(seen))
     if not len(known):
@@ -103,16 +98,7 @@ def resting_places(seen: Array, rate: float) -> list[RestingBall]:
 def flight(seen: Array, times: Array, ball: RestingBall, touch: float) -> Launched | None:
     """Fit the first frames of the flight with a straight line under gravity; None with fewer than two of them.
 
-    Parameters
-    ----------
-    seen
-        Centre of the ball in every frame [m], world axes.
-    times
-        Of the frames [s].
-    ball
-        The ball at rest.
-    touch
-        First touch [s].
+    ``seen`` is the centre of the ball in every frame [m], in world axes, and ``touch`` the time of first touch [s].
     """
     t = times - touch
     chosen = np.flatnonzero(visible(seen) & (t > FREE) & (t < LONGEST))[:20]

@@ -87,23 +87,11 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
     """Return the cluster as it is seen together with the points of the face.
 
-    In every frame that shows all points of the face, their attitude and position turn the cluster into club axes. The
-    mean over these frames is the cluster. The noise of the markers averages out over the frames; errors in the places
-    of the face points do not.
-
-    Parameters
-    ----------
-    mapping, club
-        Which marker is what, and the club.
-    recording
-        The calibration trial.
-    turn
-        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
-
-    Raises
-    ------
-    FileError
-        Markers are missing or never seen together, or the points do not fit the face.
+    In every frame of the calibration trial that shows all points of the face, their attitude and position turn the
+    cluster into club axes. The mean over these frames is the cluster. The noise of the markers averages out over the
+    frames; errors in the places of the face points do not. ``turn`` is the rotation from the laboratory to the world,
+    mirrored for a left-hander, shape (3, 3). It is a :class:`FileError` where markers are missing or never seen
+    together, or where the points do not fit the face.
     """
     local = _face_points(mapping, club)
     faces = recording.markers(mapping.face) @ turn.T
@@ -182,15 +170,7 @@ ODD = 4.0
 
 
 class Attitude(NamedTuple):
-    """Attitude of the club at one instant.
-
-    Attributes
-    ----------
-    values
-        Loft, face angle and lie [rad], as for a right-hander.
-    covariance
-        Of them, shape (3, 3).
-    """
+    """Loft, face angle and lie of the club at one instant [rad], as for a right-hander, and their covariance."""
 
     values: Array
     covariance: Array
@@ -294,21 +274,10 @@ LOW = 0.15
 
 
 def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster on the club as the address shows it.
+    """Return the cluster on the club as the address shows it, in a trial of its own or in the swing.
 
-    Parameters
-    ----------
-    mapping, club
-        Which marker is what, and the club.
-    recording
-        Shows the head at rest: a trial of its own, or the swing.
-    turn
-        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
-
-    Raises
-    ------
-    FileError
-        The head never rests, or a marker is not seen then.
+    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3). It is a
+    :class:`FileError` where the head never rests, or a marker is not seen then.
     """
     assumed = mapping.assumed
     seen = recording.markers(mapping.cluster) @ turn.T
@@ -399,16 +368,9 @@ SHARE = 0.85
 
 
 def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster on the club as the blow shows it; a :class:`FileError` where none can be read.
+    """Return the cluster on the club as the blow of a swing shows it; a :class:`FileError` where none can be read.
 
-    Parameters
-    ----------
-    mapping, club, ball
-        Which marker is what, the club and the ball.
-    recording
-        The swing.
-    turn
-        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
     """
     where = recording.path
     followed = followed_alone(mapping, recording, turn)

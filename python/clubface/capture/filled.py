@@ -57,12 +57,7 @@ def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recordin
 def filled(positions: Array, rate: float) -> NDArray[np.bool_]:
     """Return in which frames each marker was calculated and not seen, shape (frames, markers).
 
-    Parameters
-    ----------
-    positions
-        Of the markers [m], shape (frames, markers, 3); NaN where one was not seen.
-    rate
-        Frames a second [Hz].
+    ``positions`` of the markers [m] have the shape (frames, markers, 3), NaN where one was not seen, at ``rate`` [Hz].
     """
     return np.stack([_filled(each, rate) for each in np.swapaxes(positions, 0, 1)], 1)
 

@@ -309,18 +309,9 @@ def path_through(
 ) -> tuple[Path, Array]:
     """Return the path through some frames about time zero, and the attitude from which its rotation vector counts.
 
-    Parameters
-    ----------
-    times
-        Of the frames [s], ascending; counted backwards for a path that is followed back in time.
-    followed, frames
-        The clubhead, and the numbers of the frames; the last is the nearest to time zero.
-    noise
-        Standard deviation of a marker along an axis [m].
-    extend, roughness
-        The estimator's function, and its roughness.
-    where
-        The file, for error messages.
+    The ``times`` of all frames [s] ascend, counted backwards for a path that is followed back in time; the last of
+    ``frames`` is the nearest to time zero. ``noise`` is the standard deviation of a marker along an axis [m],
+    ``extend`` the function of an estimator, and ``where`` the file, for errors.
     """
     coordinates, errors, attitude = coordinates_of(followed, frames, noise)
     try:

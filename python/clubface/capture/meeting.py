@@ -67,21 +67,11 @@ class Meeting(NamedTuple):
 
 
 def meet(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
-    """Find where and when the head meets the ball.
+    """Find where and when the head, ``followed`` through a recording, meets the ball.
 
     A ball that is seen, or given to ``SURE``, is met where the face passes it. A ball given less surely, or not at all,
     is met when the head loses speed; how far that contradicts a given place enters with the deviations of both.
-
-    Parameters
-    ----------
-    recording, followed
-        The recording, and the clubhead through it.
-    cluster
-        The markers on the club.
-    setup
-        Mapping, club, ball and estimator.
-    turn
-        Rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
     """
     mapping = setup.mapping
     if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):

@@ -47,17 +47,7 @@ DAMAGED = "this C3D file is damaged"
 
 
 class RecordingHeader(NamedTuple):
-    """What the header says.
-
-    Attributes
-    ----------
-    points, analogues
-        Points and analogue samples in a frame.
-    frames
-        Frames in the file.
-    first_frame
-        Number of the first one.
-    """
+    """What the header says: points and analogue samples in a frame, how many frames, and the number of the first."""
 
     points: int
     analogues: int

@@ -90,14 +90,9 @@ def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[
 
 
 class Evidence(NamedTuple):
-    """What is known of the impact besides path, ball and club.
+    """What is known of the impact besides path, ball and club: time of first touch [s] and impact point [m].
 
-    Attributes
-    ----------
-    values
-        Time of first touch [s] on the clock of the path, and the impact point towards the toe and high [m].
-    deviations
-        Their standard deviations.
+    The time is on the clock of the path; the point is towards the toe and high. ``deviations`` are those of the values.
     """
 
     values: Array

@@ -154,16 +154,9 @@ def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:
     """Fit rotation and position of a rigid body to its markers, frame by frame.
 
     Minimises the weighted sum of squared distances by the singular values of the covariance of both sets; the sign of
-    the least one is chosen so that no frame gives a reflection.
-
-    Parameters
-    ----------
-    shape
-        Markers in body axes [m], shape (markers, 3).
-    observed
-        Markers in the laboratory [m], shape (frames, markers, 3); NaN where one was not seen.
-    weights
-        One a marker, shape (markers,); equal unless given.
+    the least one is chosen so that no frame gives a reflection. Markers have the ``shape`` (markers, 3) in body axes
+    [m] and are ``observed`` in the laboratory, (frames, markers, 3), NaN where one was not seen; their weights are
+    equal unless given.
     """
     shape, observed = np.asarray(shape, dtype=np.float64), np.asarray(observed, dtype=np.float64)
     given = np.ones(len(shape)) if weights is None else np.asarray(weights, dtype=np.float64)

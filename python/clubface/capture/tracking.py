@@ -82,24 +82,10 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     """Fit the cluster in every frame, and correct what can be corrected.
 
     A frame whose markers do not fit is tried with its labels in other orders, and then without one marker. A frame that
-    fits neither way has no attitude and position.
-
-    Parameters
-    ----------
-    shape
-        Markers in body axes [m], shape (markers, 3).
-    observed
-        The same markers in the laboratory [m], shape (frames, markers, 3).
-    names
-        Names of the markers.
-    path
-        The file, for error messages.
-
-    Raises
-    ------
-    FileError
-        There are too few markers in every frame, the distances are in another unit, or the cluster is not that of the
-        mapping.
+    fits neither way has no attitude and position. The ``shape`` of the cluster in body axes [m] is (markers, 3), and
+    the markers ``observed`` in the laboratory have the shape (frames, markers, 3). It is a :class:`FileError` where
+    there are too few markers in every frame, the distances are in another unit, or the cluster is not that of the
+    mapping.
     """
     observed = observed.copy()
     check_seen(observed, names, path)

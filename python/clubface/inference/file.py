@@ -41,14 +41,9 @@ ends of its interval to about 10%."""
 
 
 class ShotRows:
-    """The rows of a file of shots.
+    """The rows of a file of shots, which have at least one launch quantity.
 
-    Parameters
-    ----------
-    shots
-        Recorded shots with at least one launch quantity. What they hold of the delivery is taken as measured, too.
-    **options
-        As for :func:`clubface.infer`.
+    What they hold of the delivery is taken as measured, too. The options are those of :func:`clubface.infer`.
     """
 
     def __init__(self, shots: RecordedShots, **options: Any) -> None:

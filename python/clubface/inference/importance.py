@@ -86,14 +86,7 @@ class Sample(NamedTuple):
 class Proposal(NamedTuple):
     """A multivariate t, or with infinite freedom a normal distribution.
 
-    Attributes
-    ----------
-    mean
-        Its centre.
-    root
-        Lower Cholesky factor of its scale matrix.
-    freedom
-        Degrees of freedom.
+    ``root`` is the lower Cholesky factor of its scale matrix.
     """
 
     mean: Floats
@@ -299,17 +292,10 @@ Slopes = Callable[[Floats], tuple[Floats, Floats]]
 
 
 class Peak(NamedTuple):
-    """The most probable point.
+    """The most probable point, in standard deviations of the prior.
 
-    Attributes
-    ----------
-    point
-        The point, in standard deviations of the prior.
-    slopes
-        Derivatives of the residuals there, shape (m, d).
-    misfit
-        Squares of point and residuals, added up: chi-squared distributed with m degrees of freedom where the launch is
-        linear and the prior is true.
+    ``slopes`` are those of the residuals there, shape (m, d). The misfit, squares of point and residuals added up, is
+    chi-squared distributed with m degrees of freedom where the launch is linear and the prior is true.
     """
 
     point: Floats
@@ -348,15 +334,7 @@ def _misfit(residuals: Residuals, point: Floats) -> float:
 
 
 class Sheet:
-    """Coordinates that bend with a posterior, in which it is about standard normal.
-
-    Parameters
-    ----------
-    at
-        The most probable point.
-    residuals
-        Of the measurement.
-    """
+    """Coordinates that bend with a posterior, in which it is about standard normal, ``at`` its most probable point."""
 
     def __init__(self, at: Peak, residuals: Residuals) -> None:
         _, values, rows = np.linalg.svd(at.slopes, full_matrices=True)
@@ -457,17 +435,9 @@ def drawn(
 ) -> tuple[Sample, float]:
     """Sample a posterior whose prior is standard normal, and return with it the misfit of its peak.
 
-    The peak may stand in a corner, off the bulk of the posterior. Then the coordinates begin in the bulk. Without a
-    peak, the draws begin with the prior, and the misfit is NaN.
-
-    Parameters
-    ----------
-    residuals, slopes
-        Of the measurement.
-    dimensions
-        Of the prior.
-    size, seed, progress
-        As for :func:`clubface.inference.importance.sample`.
+    The peak of the ``residuals`` of the measurement may stand in a corner, off the bulk of the posterior. Then the
+    coordinates begin in the bulk. Without a peak, the draws begin with the prior, and the misfit is NaN. All else is as
+    of :func:`sample`.
     """
     before, after = standard_normal(dimensions), standard_t(dimensions)
 

@@ -63,14 +63,8 @@ def page_parts(
 ) -> tuple[Result, ...]:
     """Return the parts of the first page: findings, practice, clubs to buy, and how sure all of it is.
 
-    Parameters
-    ----------
-    clubs
-        The statistics of the clubs of one player.
-    bag
-        The same clubs with their gaps, the longest first.
-    loft_notes
-        Judges the loft of the driver; without it, lofts are not judged.
+    The ``bag`` has the clubs of one player with their gaps, the longest first. Without ``loft_notes``, which judges the
+    loft of the driver, lofts are not judged.
     """
     findings = _findings(clubs, bag)
     heading = {1: "One finding", 2: "Two findings", MOST_FINDINGS: "Three findings"}.get(len(findings), "Findings")
@@ -108,15 +102,7 @@ def _gap_findings(bag: Sequence[ClubSummary]) -> Iterator[_Finding]:
 
 
 class _Gap(NamedTuple):
-    """The gap between two clubs that are neighbours in carry [m].
-
-    Attributes
-    ----------
-    gap, margin
-        Difference of their median carries, and half of its 95% interval.
-    usual
-        Median of the gaps of the bag.
-    """
+    """The gap between the median carries of neighbours [m], half of its 95% interval, and the usual gap of the bag."""
 
     longer: ClubSummary
     shorter: ClubSummary

@@ -67,16 +67,8 @@ LEAST_ANGLE = to_si(4.0, "deg")
 class _Scale(NamedTuple):
     """The scale of the pictures of all clubs of a player, SI.
 
-    Attributes
-    ----------
-    across, along
-        What the pictures of shots have to the side and upwards.
-    half_width
-        Half width of the former.
-    ends
-        Least and greatest value of the latter.
-    widest
-        Half width of the pictures of directions [rad].
+    ``across`` and ``along`` are what the pictures of shots have to the side, with a half width, and upwards, with its
+    ends; ``widest`` is the half width of the pictures of directions [rad].
     """
 
     across: str

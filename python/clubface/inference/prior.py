@@ -271,17 +271,8 @@ class UnreachableLaunchError(InputError):
 class Expectation:
     """What a prior expects of some quantities that are measured with normally distributed noise.
 
-    Parameters
-    ----------
-    seen
-        Computes what is shown of points of a standard normal prior: (n, dimensions) to (n, quantities), NaN for those
-        that cannot be computed.
-    names
-        The quantities.
-    scale
-        Standard deviations of the measurement [SI].
-    dimensions, seed
-        Of the points.
+    ``seen`` computes what is shown of points of a standard normal prior: (n, dimensions) to (n, quantities), NaN for
+    those that cannot be computed. ``scale`` has the standard deviations of the measurement [SI].
     """
 
     def __init__(

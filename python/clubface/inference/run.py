@@ -255,16 +255,8 @@ class Inference:
     def seen(self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]) -> Floats:
         """Return what a monitor shows of deliveries, shape (n, quantities); NaN for those that cannot be computed.
 
-        Parameters
-        ----------
-        standard
-            The deliveries as standard normal deviates of the prior, shape (n, uncertain quantities).
-        launch
-            The quantities of the launch wanted.
-        club
-            The quantities of the delivery wanted, after them.
-        known
-            Values of the delivery that are no part of the prior.
+        The deliveries are ``standard`` normal deviates of the prior, shape (n, uncertain quantities), with ``known``
+        values that are no part of it. Quantities of the ``launch`` come first, then those of the ``club``.
         """
         self.impacts += len(standard)
         computed, _ = core.impact(

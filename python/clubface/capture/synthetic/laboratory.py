@@ -248,16 +248,9 @@ def asked_at_random(seed: int | np.random.Generator) -> dict[str, float]:
 def bare_map(
     club: Club, cameras: Cameras, by: str = "address", cluster: Mapping[str, Point] | None = None
 ) -> MarkerMap:
-    """Return the mapping with which such recordings are read.
+    """Return the mapping, by "address" or "swing", with which such recordings of a club are read.
 
-    Parameters
-    ----------
-    club, cameras
-        The club, and the laboratory.
-    by
-        "address" or "swing".
-    cluster
-        Positions of the markers, where a reader has measured them; none unless given.
+    ``cluster`` are positions of the markers, where a reader has measured them.
     """
     names = MARKERS[kind_of(club)]
     return MarkerMap(

@@ -214,12 +214,8 @@ class SyntheticSwing:
     def points(self, local: Any, time: Any) -> Array:
         """Return the positions of points of the head in the world [m], shape (times, points, 3).
 
-        Parameters
-        ----------
-        local
-            Points from the face centre [m], in club axes at the static loft with z towards the toe, shape (points, 3).
-        time
-            Times from first touch [s], shape (times,).
+        ``local`` are points from the face centre [m], in club axes at the static loft with z towards the toe, shape
+        (points, 3); ``time`` is from first touch [s], shape (times,).
         """
         position, attitude = self.head(time)
         from_cg = np.asarray(local, dtype=np.float64) + np.array(self.club.cg)

@@ -51,18 +51,9 @@ def floor(
 ) -> dict[str, float]:
     """Return the mean absolute error of a perfect model [SI] in each quantity whose noise is known.
 
-    Parameters
-    ----------
-    predict
-        Computes launches from deliveries with the model that stands for the truth; not needed without ``disturbance``.
-    delivery
-        The measured deliveries, to which noise is added.
-    monitor
-        Standard deviation of each measured launch quantity.
-    disturbance
-        Standard deviation of each measured delivery quantity; the errors are independent and normally distributed.
-    seed
-        Seed of the random numbers.
+    ``predict`` computes launches from deliveries with the model that stands for the truth; it is not needed without
+    ``disturbance``. ``monitor`` and ``disturbance`` are the standard deviations of measured quantities of launch and
+    delivery, whose errors are independent and normally distributed.
     """
     if not disturbance or predict is None:
         return {name: TO_MEAN_ABSOLUTE * monitor[name] for name in QUANTITIES if name in monitor}

@@ -104,18 +104,8 @@ class Best(NamedTuple):
 class Resamples:
     """Bootstrap resamples of shots, or of groups of shots that belong together, such as those of one player.
 
-    Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples.
-
-    Parameters
-    ----------
-    count
-        Resamples.
-    shots
-        Number of shots.
-    seed
-        Of the random numbers; the same seed gives the same resamples.
-    groups
-        The group of each shot; left out, every shot is its own.
+    Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples;
+    the same seed gives the same ones. Without ``groups``, one for each shot, every shot is its own.
     """
 
     def __init__(
@@ -193,12 +183,7 @@ def _students_t(z: float, degrees: int) -> float:
 def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
     """Return the sizes of the errors of each model in one quantity, and the best model by paired bootstrap.
 
-    Parameters
-    ----------
-    errors
-        Model less measured by the name of the model, of the same shots in the same order.
-    resamples
-        Of these shots.
+    ``errors`` are model less measured by the name of the model, of the same shots in the order of the ``resamples``.
     """
     names, table = list(errors), np.stack(list(errors.values()))
     # Shots that are copies of each other, errors and all, tell no more than one of them.
@@ -225,14 +210,8 @@ def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dic
 def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: int) -> Best:
     """Return the model with the least mean absolute error and the significance of its lead over each other.
 
-    Parameters
-    ----------
-    mae
-        Mean absolute error by the name of the model.
-    resampled
-        The same over each resample, paired.
-    groups
-        How many shots, or groups of them, were drawn. Fewer than ``fewest_groups`` are never significant.
+    ``mae`` is the mean absolute error by the name of the model, and ``resampled`` the same over each resample, paired.
+    So many ``groups`` were drawn; fewer than ``fewest_groups`` are never significant.
     """
     # All of them favour the same model in two of 2^groups changes of sign.
     least = 2.0 ** (1 - groups)
@@ -311,14 +290,7 @@ def trends(
 ) -> dict[str, list[Trend]]:
     """Return the lines of each model over the covariates that were measured and vary.
 
-    Parameters
-    ----------
-    errors
-        Model less measured in one quantity, by the name of the model.
-    delivery
-        The deliveries of the same shots.
-    resamples
-        Of these shots.
+    ``errors`` are model less measured in one quantity, by the name of the model, of the same shots as ``delivery``.
     """
     covariates = {
         name: values

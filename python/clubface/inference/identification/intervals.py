@@ -87,16 +87,9 @@ def outside(value: float, interval: tuple[float, float], profile: Profile | None
 
 
 class Profiler:
-    """Makes profiles of the parameters of a fit.
+    """Makes profiles of the parameters of a fit to all shots.
 
-    Parameters
-    ----------
-    simulator
-        Of all shots.
-    noise
-        Standard deviation of each quantity [SI].
-    errors
-        Standard errors of the coordinates of the unit cube.
+    ``noise`` is the standard deviation of each quantity [SI]; ``errors`` are those of the coordinates of the unit cube.
     """
 
     def __init__(self, simulator: Simulator, noise: Floats, errors: Floats) -> None:
@@ -177,16 +170,9 @@ UNKNOWN_SHARE = 0.05
 
 
 class Refits:
-    """Fits to parts of the shots, each started at the optimum of all of them.
+    """Fits to parts of the shots, each started at the optimum of all of them, a point of the unit cube.
 
-    Parameters
-    ----------
-    simulator, cost
-        Simulator and cost of all shots.
-    optimum
-        The fit to all shots, a point of the unit cube.
-    errors
-        Standard errors of the coordinates of the optimum; infinite where the shots do not determine one.
+    ``errors`` are the standard errors of its coordinates; infinite where the shots do not determine one.
     """
 
     def __init__(self, simulator: Simulator, cost: Cost, optimum: Floats, errors: Floats) -> None:

@@ -148,18 +148,11 @@ def free_parameters(
     bounds: Mapping[str, Any] | None = None,
     tied: Mapping[str, str] | None = None,
 ) -> FreeParameters:
-    """Choose the free parameters of the model of ``fixed``.
+    """Choose the free parameters of the model of ``fixed``, which holds the others.
 
-    Parameters
-    ----------
-    fixed
-        Holds the parameters that are not free.
-    names
-        Those that are; "all" for every one; left out, those that the publication identified.
-    bounds
-        Pairs of values, text with a unit or SI, by name; left out, those of ``identification.toml``, else of the model.
-    tied
-        Parameters that follow a free one, by name; left out, as the publication had it where ``names`` is left out.
+    Of ``names``, "all" are every one, and none given those that the publication identified, which then says what is
+    ``tied``: parameters that follow a free one. ``bounds`` are pairs of values, text with a unit or SI, by name; left
+    out, those of ``identification.toml``, else of the model.
     """
     declared = model_named(fixed.model)
     everything = [each.name for each in declared.parameters]

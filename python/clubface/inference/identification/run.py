@@ -57,22 +57,10 @@ Progress = Callable[[str, int, int, float], object]
 
 @dataclass
 class Stages:
-    """Runs the stages in order; a finished part is not computed again.
+    """Runs the stages in order; a finished part, which the store has with all its digits, is not computed again.
 
-    Attributes
-    ----------
-    simulator, cost
-        Of all shots.
-    noise
-        Standard deviation of each quantity [SI].
-    settings
-        What was asked for.
-    store
-        The finished parts: the value of each, which JSON holds with all its digits, and what it took.
-    progress
-        Called after every part.
-    best
-        Least cost so far.
+    Simulator and cost are of all shots; ``noise`` is the standard deviation of each quantity [SI], and ``best`` the
+    least cost so far. ``progress`` is called after every part.
     """
 
     simulator: Simulator

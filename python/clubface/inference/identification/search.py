@@ -35,16 +35,9 @@ POPULATION, GENERATIONS, REFINED = 200, 100, 5
 
 
 class Population(NamedTuple):
-    """The survivors of a generation.
+    """The survivors of a generation, the random one being the first, as the algorithm keeps them.
 
-    Attributes
-    ----------
-    generation
-        Generations done, the random one included.
-    points
-        In the unit cube, shape (population, free), in the order the algorithm keeps them.
-    costs
-        Shape (population,).
+    They are ``points`` of the unit cube, shape (population, free), with their ``costs``, shape (population,).
     """
 
     generation: int
@@ -68,23 +61,10 @@ def search(
 ) -> Population:
     """Search the unit cube by pymoo's genetic algorithm: tournament, simulated binary crossover, polynomial mutation.
 
-    The random numbers of a generation depend on ``seed`` and its number alone, so a search goes on from the population
-    ``begun`` as if it had never stopped.
-
-    Parameters
-    ----------
-    costs_of
-        From points of shape (n, free) to their costs, shape (n,).
-    free
-        Dimensions of the cube.
-    population, generations
-        Size and number of generations, the random first one included.
-    seed
-        Of the random numbers.
-    begun
-        Where an earlier search stopped.
-    after_generation
-        Called with the survivors of every generation.
+    ``costs_of`` takes points of shape (n, free) to costs of shape (n,). The random numbers of a generation depend on
+    ``seed`` and its number alone, so that a search goes on from the population ``begun`` as if it had never stopped.
+    The random first generation is one of the ``generations``; ``after_generation`` is called with the survivors of
+    each.
     """
     from pymoo.algorithms.soo.nonconvex.ga import GA, FitnessSurvival
     from pymoo.core.population import Population as Individuals
@@ -135,16 +115,9 @@ class _Active(NamedTuple):
 
 
 def least_absolute(deviations: Floats, rows: Floats, lower: Floats, upper: Floats) -> Floats:
-    """Return the step in the box that minimises the sum of |deviations + rows step|.
+    """Return the step in the box that minimises the sum of |deviations + rows step|, shapes (n,) and (n, free).
 
-    Parameters
-    ----------
-    deviations
-        Shape (n,).
-    rows
-        Shape (n, free).
-    lower, upper
-        The box, which holds 0; shape (free,).
+    The box from ``lower`` to ``upper``, shape (free,), holds 0.
     """
     size = np.mean(np.abs(deviations)) if len(deviations) else 0.0
     scales = np.sqrt(np.mean(rows**2, axis=0)) if len(deviations) else np.zeros(len(lower))
@@ -237,18 +210,10 @@ HUBER_ROUNDS = 8
 
 
 def best_step(cost: Cost, simulated: Floats, derivatives: Floats, lower: Floats, upper: Floats) -> Floats:
-    """Return the step between ``lower`` and ``upper``, shape (free,), that minimises the cost of linear launches.
+    """Return the step, shape (free,), in a box that holds 0 that minimises the cost of linear launches.
 
-    Parameters
-    ----------
-    cost
-        To be minimised.
-    simulated
-        Launches where the step begins, shape (quantities, shots).
-    derivatives
-        Their derivatives, shape (quantities, free, shots).
-    lower, upper
-        The box, which holds 0.
+    The launches where it begins are ``simulated``, shape (quantities, shots), and their ``derivatives`` have the shape
+    (quantities, free, shots).
     """
     used = cost.weights > 0.0
     deviations = (simulated - cost.measured)[used]
@@ -309,17 +274,7 @@ POOR, GOOD = 0.25, 0.75
 
 
 class Refined(NamedTuple):
-    """Where a refinement ended.
-
-    Attributes
-    ----------
-    point
-        In the unit cube, shape (free,).
-    cost
-        There.
-    steps
-        Linearisations made.
-    """
+    """Where a refinement ended in the unit cube, shape (free,), its cost, and after how many linearisations."""
 
     point: Floats
     cost: float
@@ -343,27 +298,11 @@ def refine(
     held: NDArray[np.bool_] | None = None,
     fall: float = SMALLEST_FALL,
 ) -> Refined:
-    """Minimise the cost from ``start``, within the bounds, by exact derivatives.
+    """Minimise the cost from ``start``, a point of the unit cube, by exact derivatives; return none that is worse.
 
-    Parameters
-    ----------
-    simulator, cost
-        Of the same shots.
-    start
-        A point of the unit cube, shape (free,).
-    radius
-        How far the first step may go, in all coordinates or in each.
-    first
-        The launches at ``start`` and their derivatives, where they are known.
-    held
-        Coordinates that do not move, shape (free,).
-    fall
-        Part of the cost below which a further fall does not matter.
-
-    Returns
-    -------
-    Refined
-        Never worse than ``start``.
+    The first step goes as far as ``radius``, in all coordinates or in each; ``first`` are the launches at the start
+    with their derivatives, where they are known. Coordinates that are ``held``, shape (free,), do not move. A further
+    fall by less than the part ``fall`` of the cost does not matter.
     """
     refined = _descend(simulator, cost, start, radius, first, held, fall)
     if cost.loss == "absolute" or not refined.cost < EXPLAINED:

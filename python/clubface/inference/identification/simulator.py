@@ -26,15 +26,7 @@ MOST_ROWS = 1 << 18
 
 @dataclass
 class Effort:
-    """What has been computed so far.
-
-    Attributes
-    ----------
-    evaluations
-        Sets of parameters for which all shots of a data set were computed.
-    impacts
-        Impacts computed.
-    """
+    """What has been computed so far: sets of parameters for all shots of a data set, and impacts."""
 
     evaluations: int = 0
     impacts: int = 0
@@ -51,20 +43,9 @@ class Effort:
 
 @dataclass
 class Simulator:
-    """Computes the launches of measured shots at points of the search.
+    """Computes the launches of measured shots at points of the unit cube of free parameters, and counts the effort.
 
-    Attributes
-    ----------
-    shots
-        The deliveries.
-    free
-        The parameters, and the unit cube in which points lie.
-    accuracy
-        Tolerance of a contact step; None is the fast setting.
-    threads
-        Of the core, 0 for all cores.
-    effort
-        Counts what is computed.
+    ``accuracy`` is the tolerance of a contact step, None for the fast setting, and 0 ``threads`` are all cores.
     """
 
     shots: PreparedShots
