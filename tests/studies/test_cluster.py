@@ -9,6 +9,7 @@ import threading
 import time
 from concurrent.futures import Future
 from contextlib import contextmanager, suppress
+from importlib.util import find_spec
 
 import pytest
 
@@ -18,8 +19,11 @@ from clubface.jobs import workers as jobs_workers
 from study_files import squares, sums
 
 pytest.importorskip("pyarrow")
-pytest.importorskip("distributed")
-pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
+pytestmark = [
+    # Imported by the tests that run: it takes a second, which every process that collects would spend.
+    pytest.mark.skipif(find_spec("distributed") is None, reason="the extra cluster is not installed"),
+    pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning"),
+]
 
 
 @contextmanager
@@ -64,7 +68,13 @@ def at(count, act):
 
 
 def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path, monkeypatch, in_this_process):
-    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 4.0)
+    # However busy the machine is, the scheduler has a minute to answer, until it is killed.
+    monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 60.0)
+
+    def kill(scheduler):
+        scheduler.kill()
+        monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 2.0)
+
     whole, path = squares(tmp_path, name="whole.toml"), squares(tmp_path, seconds=0.005)
     studies.run(whole)
     with scheduler(tmp_path) as (address, boss), workers(address, 2) as (first, _):
@@ -74,7 +84,7 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
         assert done.computed in (9, 10)
         assert done.missing == 10
         with pytest.raises(ClubfaceError, match=r"is gone, the scheduler of the cluster; .* of 20 chunks are done and"):
-            studies.run(path, scheduler=address, progress=at(3, boss.kill))
+            studies.run(path, scheduler=address, progress=at(3, lambda: kill(boss)))
     done = studies.run(path)
     assert 0 < done.computed <= 7
     assert sums(path) == sums(whole)
@@ -106,7 +116,7 @@ def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, sa
     with server, pytest.raises(LinkError, match="is no scheduler that answers"):
         studies.run(squares(tmp_path), scheduler=f"tcp://127.0.0.1:{server.getsockname()[1]}")
     assert heard
-    assert time.monotonic() - begun < 20.0  # it waited without end
+    assert time.monotonic() - begun < 60.0  # it waited without end
 
 
 def test_the_address_of_a_worker_is_told(tmp_path):
