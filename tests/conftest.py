@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import shutil
 import signal
 
@@ -15,16 +16,21 @@ from c_programs import ROOT, ran
 # matrices of a few rows, and motion capture takes ten times as long.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+# Of a test of JAX nearly all is its compiler, which takes a quarter longer where it optimises what runs once. Processes
+# that tests start inherit it.
+os.environ.setdefault("JAX_DISABLE_MOST_OPTIMIZATIONS", "1")
+
 # A test run started in the background inherits an ignored interrupt, and passes that on to the commands it starts: then
 # Ctrl-C would reach nobody. The handler of an interactive run is what the tests of interruption mean.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # An example takes as long as the machine is busy, and the first one loads the core: time is no property of the code.
 # A folder that all examples of a test share is no mistake: each writes its files anew. A test that gives a list of its
-# own would have the check of time back.
+# own would have the check of time back. Every run draws examples of its own; `make fuzz` draws as many as one wants.
 settings.register_profile(
     "clubface",
     deadline=None,
+    max_examples=50,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
 )
 settings.load_profile("clubface")
@@ -46,6 +52,30 @@ def clubface_(capsys, monkeypatch):
         return Ran(status, captured.out, captured.err)
 
     return ran
+
+
+@pytest.fixture(scope="session", autouse=True)
+def same_pictures_are_drawn_once():
+    """A picture in two reports, as HTML and as Markdown, is the same text: to draw it takes most of their time."""
+    from clubface.present import report
+
+    draw, drawn = report.picture_blocks, {}
+
+    def picture_blocks(result, units=None):
+        key = pickle.dumps((result.pictures(), units))
+        if key not in drawn:
+            drawn[key] = list(draw(result, units))
+        return drawn[key]
+
+    report.picture_blocks = picture_blocks
+    yield
+    report.picture_blocks = draw
+
+
+@pytest.fixture
+def without_pictures(monkeypatch):
+    """Reports are written without pictures, where a test is about their words."""
+    monkeypatch.setattr("clubface.present.report.picture_blocks", lambda result, units=None: ())
 
 
 @pytest.fixture

@@ -13,10 +13,7 @@ SECRET = 'mass = "the plan that no customer may see"\n'
 SPEED = ("--speed", "105 mph")
 COMMANDS = {
     "shot": ("shot", "mine.toml", *SPEED),
-    "compare": ("compare", "mine.toml", "3-wood", *SPEED),
-    "map": ("map", "mine.toml", *SPEED, "--grid", "5x5", "--spread", "12 mm x 9 mm"),
     "dispersion": ("dispersion", "anna.toml", "--count", "64", "--no-shares"),
-    "best-loft": ("best-loft", "--speed", "90 mph", "--club", "mine.toml"),
     "monitor report": ("monitor", "report", "shots.csv"),
 }
 
@@ -40,6 +37,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
+@pytest.mark.usefixtures("without_pictures")
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_text_that_quotes_a_file_does_not_bring_it_into_a_report(name, folder, clubface_):
     option = "-o" if name.startswith("monitor") else "--report"

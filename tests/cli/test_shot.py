@@ -223,6 +223,7 @@ def test_a_crosswind_blows_to_the_right(clubface_):
     assert row["side_m"] > 5.0
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_a_loft_that_was_not_given_stands_in_the_first_line(clubface_, tmp_path):
     report, picture = tmp_path / "report.md", tmp_path / "shot.svg"
     for command, clubs in (
@@ -261,6 +262,7 @@ def test_files_of_deliveries_and_golfers_without_a_loft_say_so_too(clubface_, wr
         assert [each["data"] for each in ran.json["assumptions"]] == assumed
 
 
+@pytest.mark.usefixtures("without_pictures")
 def test_the_caveats_of_a_variant_of_a_published_set_stand_before_every_result(clubface_, write, tmp_path):
     variant = "three-dimensional-impact-models/as-printed"
     swing = ("--speed", "48 m/s", "--loft", "13 deg", "--model", "rings")

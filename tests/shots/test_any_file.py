@@ -34,7 +34,7 @@ def assert_whole(shots):
     assert all(each.reason for each in shots.rejected)
 
 
-@settings(max_examples=120)
+@settings(max_examples=50)
 @given(content=st.one_of(st.binary(max_size=80), st.lists(st.lists(junk, max_size=4).map(",".join)).map("\n".join)))
 @example(content=b"sep=,\n")
 @example(content=b"Push/Pull (deg L-/R+)\n[]\n")
@@ -48,7 +48,7 @@ def test_any_bytes_are_read_or_refused(tmp_path, content):
             assert_whole(shots)
 
 
-@settings(max_examples=200)
+@settings(max_examples=60)
 @given(
     name=st.sampled_from(sorted(FILES)),
     changes=st.lists(st.tuples(st.integers(0, 400), junk), min_size=1, max_size=4),

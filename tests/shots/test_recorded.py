@@ -224,7 +224,7 @@ heads = st.sampled_from(
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=50)
 @given(
     content=st.one_of(
         st.binary(max_size=60),

@@ -32,7 +32,7 @@ def test_evenly_spaced_values_begin_and_end_where_the_file_says():
     np.testing.assert_allclose(np.diff(result), to_si(1.0, "mph"), rtol=1e-12)  # rounding of values of 50 m/s
 
 
-@settings(max_examples=200)
+@settings(max_examples=60)
 @given(
     st.decimals(-200, 200, places=2), st.decimals("0.01", 7, places=2), st.integers(1, 400), st.sampled_from((1, -1)),
     st.sampled_from(["mph", "m/s", "km/h"]), st.booleans(),

@@ -18,7 +18,7 @@ texts = st.lists(lines, max_size=6).map("\n".join)
 heads = st.sampled_from(["speed", "speed,toe_mm", "speed;toe_mm", "club_speed_mph,x,x", "speed [", "speed(mph),", ""])
 
 
-@settings(max_examples=150)
+@settings(max_examples=50)
 @given(
     content=st.one_of(
         st.binary(max_size=80),
