@@ -86,12 +86,11 @@ def with_value(text: str, place: tuple[Any, ...], raw: str) -> tuple[Any, str]:
     return value, _text(data, place, raw)
 
 
-def variants(text: str) -> Iterator[tuple[tuple[Any, ...], Any, str, str]]:
-    """Yield the place of a key, its value, what is written in its stead, and the document with that."""
+def variants(text: str) -> Iterator[tuple[tuple[Any, ...], str]]:
+    """Yield the place of a key and what is written in the stead of its value."""
     for place in all_places(text):
         for raw in WRONG:
-            value, document = with_value(text, place, raw)
-            yield place, value, raw, document
+            yield place, raw
 
 
 QUANTITY = re.compile(r"flat|[-+]?[\d.]+(e[-+]?\d+)?( [a-zA-Z]\S*){0,3}")

@@ -2,19 +2,19 @@
 
 import ast
 import re
-from pathlib import Path
+from functools import cache
 
-import clubface
 from clubface.results.catalogue import SENTENCES
 from clubface.results.notes import placeholders
+from package_sources import ROOT, trees
 
-ROOT = Path(clubface.__file__).parent
 
-
+@cache
 def notes_attached():
     """Every call of ``note`` with a literal code: file, line, code, names of its data, and whether it takes more."""
-    for path in sorted(ROOT.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text())):
+    result = []
+    for path, nodes in trees().items():
+        for node in nodes:
             if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "note"):
                 continue
             first = node.args[0] if node.args else None
@@ -23,18 +23,13 @@ def notes_attached():
                 codes = [each.value for each in (first.body, first.orelse) if isinstance(each, ast.Constant)]
             names = {each.arg for each in node.keywords}
             for code in codes:
-                yield f"{path.relative_to(ROOT)}:{node.lineno}", code, names - {None}, None in names
-
-
-ATTACHED = list(notes_attached())
-
-
-def test_notes_are_found():
-    assert len(ATTACHED) > 20
+                result.append((f"{path}:{node.lineno}", code, names - {None}, None in names))
+    return result
 
 
 def test_every_note_has_its_sentence_and_gives_it_all_it_needs():
-    for place, code, names, takes_more in ATTACHED:
+    assert len(notes_attached()) > 20
+    for place, code, names, takes_more in notes_attached():
         assert code in SENTENCES, f"{place}: the catalogue has no sentence for {code}"
         missing = placeholders(code) - names
         assert takes_more or not missing, f"{place}: the sentence of {code} needs {missing}"
@@ -45,8 +40,8 @@ def composed_codes():
 
     A code begins with its subject, so that a text made of variables alone, which would match any code, is none.
     """
-    for path in ROOT.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
+    for nodes in trees().values():
+        for node in nodes:
             if isinstance(node, ast.JoinedStr) and any(isinstance(each, ast.FormattedValue) for each in node.values):
                 parts = [each.value if isinstance(each, ast.Constant) else None for each in node.values]
                 if re.match(r"[a-z]+-", parts[0] or "") and re.fullmatch(r"[a-z0-9-]+", "".join(filter(None, parts))):

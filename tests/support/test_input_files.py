@@ -17,8 +17,8 @@ from clubface.support.files import (
     recorded_files,
     short_names,
 )
+from package_sources import trees
 
-ROOT = Path(clubface.__file__).parent
 READERS = {"read_text", "read_bytes"}
 NO_INPUTS = {
     "support/files.py": "the place itself; what is written",
@@ -46,8 +46,8 @@ NO_INPUTS = {
 """The modules that open something which is no input of a computation, and what."""
 
 
-def reads(tree):
-    for node in ast.walk(tree):
+def reads(nodes):
+    for node in nodes:
         if isinstance(node, ast.Call):
             if isinstance(node.func, ast.Attribute) and node.func.attr in (*READERS, "open", "fdopen"):
                 yield node.func.attr
@@ -56,11 +56,7 @@ def reads(tree):
 
 
 def test_no_other_module_opens_files_that_a_computation_depends_on():
-    result = {
-        path.relative_to(ROOT).as_posix()
-        for path in ROOT.rglob("*.py")
-        if list(reads(ast.parse(path.read_text(encoding="utf-8"))))
-    }
+    result = {path for path, nodes in trees().items() if list(reads(nodes))}
     assert result <= NO_INPUTS.keys()
 
 
