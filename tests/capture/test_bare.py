@@ -123,12 +123,13 @@ def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
 
 
 def test_deviations_that_are_stated_hold_the_truth():
-    result = bare_study(40, ways=("address", "swing"), seed=4)
+    result = bare_study(20, ways=("address", "swing"), seed=4)
     for name in ("address", "swing"):
         rates = result.coverage(name, 0.9)
-        # 40 intervals hold to 90 +- 5%: all eleven together hang loosely, so that their mean scatters by 2%.
-        assert 0.84 < np.mean(list(rates.values())) < 0.97, name
-        assert min(rates.values()) > 0.75, (name, rates)
+        # 20 intervals hold to 90 +- 7%: all eleven together hang loosely, so that their mean scatters by 3%. Deviations
+        # half as large would hold 59%. Many swings are a study.
+        assert 0.80 < np.mean(list(rates.values())) < 0.985, name
+        assert min(rates.values()) >= 0.65, (name, rates)
     # The face is known by the blow to some degrees only, and rates do not need to know where it looks.
     stated = {name: result.stated(name) for name in result.errors}
     assert stated["swing"]["face"] > 1.3 * stated["address"]["face"]

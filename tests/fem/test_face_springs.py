@@ -36,7 +36,7 @@ def test_a_cor_in_a_file_stands_for_the_time_that_has_it(time):
     assert restitution(time) == pytest.approx(head_tests.restitution(giving(time)), abs=6e-4)
 
 
-@pytest.mark.parametrize(("wall", "tolerance"), [(3.0, 0.004), (3.4, 0.005), (4.0, 0.009)])
+@pytest.mark.parametrize(("wall", "tolerance"), [(3.0, 0.004), (4.0, 0.009)])
 def test_a_spring_of_the_time_measured_on_shells_has_their_restitution(wall, tolerance):
     """A titanium driver of usual size; stiff faces give up to 0.008 less than the spring."""
     design = fem.DriverHead(
@@ -51,7 +51,7 @@ def test_a_spring_of_the_time_measured_on_shells_has_their_restitution(wall, tol
     head = design.mesh()
     assert head.club.characteristic_time == 0.0
     spring = head.club.replace(characteristic_time=head_tests.characteristic_time(head))
-    for speed in (30.0, 48.768, 60.0):
+    for speed in (30.0, 60.0):
         shells, rigid = (head_tests.restitution(each, speed=speed) for each in (head, head.club))
         result = head_tests.restitution(spring, speed=speed)
         assert result == pytest.approx(shells, abs=tolerance)

@@ -96,15 +96,11 @@ def test_finite_elements_alone_have_no_note_on_a_rigid_face(clubface_, file):
 
 
 def test_a_head_is_measured_where_and_with_what_is_asked(clubface_, file):
-    centre, toe = (
-        clubface_("fem", "head", str(file), "--measure", *where, "--json").rows()[0]
-        for where in ([], ["--toe", "15 mm"])
-    )
+    toe = clubface_("fem", "head", str(file), "--measure", "--toe", "15 mm", "--json").rows()[0]
     made = fem.head(file)
     assert toe["restitution"] == head_tests.restitution(made, toe="15 mm")
     time = head_tests.characteristic_time(made, toe="15 mm")
     assert toe["characteristic_time_us"] == pytest.approx(1e6 * time, rel=1e-12)
-    assert centre["restitution"] == head_tests.restitution(made)
     slow = ("--safety", "0.3", "--ball", "distance", "--json")
     slower = clubface_("fem", "head", str(file), "--measure", *slow).rows()[0]
     assert slower["restitution"] == head_tests.restitution(made, ball="distance", safety=0.3)

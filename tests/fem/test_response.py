@@ -125,8 +125,9 @@ def test_spins_before_impact_are_within_the_range_and_about_all_axes():
     """Evenly over a cube, so that each component has a mean of nothing and a deviation of its end over the root of 3:
     within three times what that of as many random ones would be from it."""
     names = ("ball_backspin", "ball_sidespin", "ball_riflespin")
+    all_strikes = strikes(PARTS)
     for place in (place for place, name in enumerate(PARTS) if "spinning" in name):
-        made = [each for (part, _), each in strikes(PARTS).items() if part == place]
+        made = [each for (part, _), each in all_strikes.items() if part == place]
         spins = np.array([[each.delivery[name] for name in names] for each in made]) / (100.0 * np.pi)
         assert np.abs(spins).max() <= 1.0
         assert np.abs(spins.mean(axis=0)).max() < 3.0 / np.sqrt(3.0 * len(spins))

@@ -1,6 +1,7 @@
 """Solid heads of one's own mesh: tetrahedra and hexahedra from files, bonds, and what is refused."""
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -42,6 +43,13 @@ def launch(head, **changes):
     assert run.stopped is None
     assert run.energy_error < 0.01
     return run
+
+
+@cache
+def blade():
+    """A blade in one piece, and how it launches."""
+    made = iron(BLADE, (18, 10, 2))
+    return made, launch(made)
 
 
 WRITERS = {"gmsh.msh": gmsh_solids, "abaqus.inp": abaqus_solids, "nastran.bdf": nastran_solids, "dyna.k": lsdyna_solids}
@@ -89,6 +97,7 @@ def thickened(head):
     return np.concatenate([head.nodes - half, head.nodes + half]), np.concatenate([quads, quads + len(half)], axis=1)
 
 
+@pytest.mark.study
 def test_a_wood_of_one_layer_of_tetrahedra_launches_as_one_of_shells(tmp_path):
     # Walls of 2 to 3 mm as shells of 8 mm and as tetrahedra between the same lines.
     shells = coarse_head()
@@ -123,27 +132,27 @@ def insert(made, kind):
     return nodes, {"plate": (tetrahedra_of(plate) if kind == "tetrahedra" else plate).tolist(), "body": back.tolist()}
 
 
-@pytest.mark.parametrize("kind", ["tetrahedra", "hexahedra"])
+@pytest.mark.parametrize("kind", ["tetrahedra", pytest.param("hexahedra", marks=pytest.mark.study)])
 def test_a_bonded_plate_is_as_one_piece(tmp_path, kind):
     # A blade in one piece, and one whose front half is another mesh, bonded to the rest.
-    made = iron(BLADE, (18, 10, 2))
+    made, one = blade()
     nodes, groups = insert(made, kind)
     path = gmsh_solids(tmp_path / "two.msh", nodes, groups)
     head = read(path, "plate", "body", bonds=(Bond(part="plate", to="body"),))
     assert head.club.mass == pytest.approx(made.club.mass, rel=1e-6)
-    one, other = launch(made), launch(head)
+    other = launch(head)
     assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=2e-3)
     assert other.backspin == pytest.approx(one.backspin, rel=0.01)
 
 
 def test_seams_close_without_a_bond(tmp_path):
     # Hexahedra on both sides, with nodes of their own at the same places: one piece.
-    made = iron(BLADE, (18, 10, 2))
+    made, one = blade()
     nodes, groups = insert(made, "hexahedra")
     path = gmsh_solids(tmp_path / "two.msh", nodes, groups)
     head = read(path, "plate", "body")
     assert len(head.nodes) == len(made.nodes)
-    assert launch(head).normal_velocity == pytest.approx(launch(made).normal_velocity, rel=1e-6)
+    assert launch(head).normal_velocity == pytest.approx(one.normal_velocity, rel=1e-6)
 
 
 def test_parts_have_metals_of_their_own(tmp_path):

@@ -56,7 +56,7 @@ def differences(name, matching):
     """Of the matrix and of a free head from the beam: ball speed, spin, speed of the head [m/s], turning at 40 mm."""
     club, of_shaft, speed, strikes = shaft_impact.STRIKES[name]
     for *_, free, matrix, beam in shaft_impact.rows(
-        clubface.club(club), shaft(of_shaft), speed, strikes, matching=matching
+        clubface.club(club), shaft(of_shaft), speed, strikes[:3], matching=matching
     ):
         yield tuple(
             np.array([
