@@ -42,18 +42,10 @@ Problems = list[tuple[int, str, str]]
 
 
 class Balls(NamedTuple):
-    """A ball as a backend computes it, and as the inputs of a shot describe it.
+    """A ball as a backend computes it, and as the inputs of a shot describe it."""
 
-    Attributes
-    ----------
-    own
-        What the backend takes; None where the inputs say everything.
-    described
-        As of :func:`clubface.ball`.
-    """
-
-    own: Any
-    described: Any
+    own: Any  # what the backend takes; None where the inputs say everything
+    described: Any  # as of :func:`clubface.ball`
 
 
 class Request(NamedTuple):

@@ -344,21 +344,11 @@ class Shots(NamedTuple):
 
 
 class Prepared(NamedTuple):
-    """Shots with everything that a model needs to compute them.
+    """Shots with everything that a model needs to compute them."""
 
-    Attributes
-    ----------
-    shots
-        The inputs, broadcast.
-    chosen
-        The parameter set.
-    parameters
-        One a parameter of the model: a number, or an array of the shots, flat.
-    """
-
-    shots: Shots
+    shots: Shots  # the inputs, broadcast
     chosen: ParameterSet
-    parameters: list[Any]
+    parameters: list[Any]  # one a parameter of the model: a number, or an array of the shots, flat
 
     def error(self, error: ValueError) -> ShotError:
         """Turn the core's ``ValueError(name, message)`` about one shot into an error of the package."""

@@ -128,21 +128,11 @@ class ShotProblem(NamedTuple):
 
 
 class Varied(NamedTuple):
-    """An input that was given as an array.
+    """An input that was given as an array."""
 
-    Attributes
-    ----------
-    values
-        As given, SI, not broadcast.
-    unit
-        Its SI unit.
-    meaning
-        One line.
-    """
-
-    values: NDArray[Any]
-    unit: str
-    meaning: str
+    values: NDArray[Any]  # as given, SI, not broadcast
+    unit: str  # its SI unit
+    meaning: str  # one line
 
 
 class Batch(Described):

@@ -43,21 +43,11 @@ LISTED = 3
 
 
 class Contradiction(NamedTuple):
-    """Spins of one shot that cannot be those of one ball.
+    """Spins of one shot that cannot be those of one ball."""
 
-    Attributes
-    ----------
-    place
-        The place of the shot, from 0.
-    given
-        What was given [rad/s, rad].
-    kept
-        The names of what is kept of it.
-    """
-
-    place: int
-    given: Mapping[str, float]
-    kept: tuple[str, ...]
+    place: int  # the place of the shot, from 0
+    given: Mapping[str, float]  # what was given [rad/s, rad]
+    kept: tuple[str, ...]  # the names of what is kept of it
 
     @property
     def note(self) -> Note:
@@ -68,21 +58,11 @@ class Contradiction(NamedTuple):
 
 
 class Spins(NamedTuple):
-    """Spins of some shots, completed.
+    """Spins of some shots, completed."""
 
-    Attributes
-    ----------
-    values
-        Each of the four that is known for a shot [rad/s, rad]; NaN where it is not.
-    contradictions
-        Those of the shots, in their order.
-    notes
-        Further remarks: where a topped ball was ruled out, and where the direction stays unknown.
-    """
-
-    values: dict[str, Floats]
-    contradictions: tuple[Contradiction, ...]
-    notes: tuple[Note, ...]
+    values: dict[str, Floats]  # each of the four that is known for a shot [rad/s, rad]; NaN where it is not
+    contradictions: tuple[Contradiction, ...]  # those of the shots, in their order
+    notes: tuple[Note, ...]  # further remarks: where a topped ball was ruled out, and where the direction stays unknown
 
 
 def wrapped(angle: Any) -> Any:
