@@ -3,10 +3,10 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist sdist-check demo test test-oldest test-newest test-beyond test-aarch64 check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist sdist-check demo test test-oldest test-newest test-beyond test-foreign test-wheel check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
-BIN := $(VENV)/bin
+BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 PYTHON := $(BIN)/python
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 export PYO3_PYTHON := $(CURDIR)/$(PYTHON)
@@ -59,22 +59,31 @@ $(VENV)/.dev: $(VENV)/.build constraints-dev.txt
 	@touch $@
 
 INTERPRETER ?=
-wheel: studio-build ## a wheel for other machines, optimised as a whole, with the built studio in it (INTERPRETER=python3.14t: for that Python)
-	scripts/fmi-library.sh dist
-	@rm -rf python/clubface/studio_site && cp -R studio/dist python/clubface/studio_site
-	@# Taken away again: a checkout serves what it has built last.
-	$(BIN)/maturin build --profile dist $(if $(INTERPRETER),--interpreter $(INTERPRETER)); \
-		status=$$?; rm -rf python/clubface/studio_site; exit $$status
+PROFILE ?= dist
+TARGET ?=
+WHEEL ?=
+RECORD ?=
+NEWEST_WHEEL = $(or $(WHEEL),$$(ls -t target/wheels/*.whl | head -n 1))
+WHEEL_CHECK = $(PYTHON) scripts/wheel_check.py $(if $(INTERPRETER),--python $(INTERPRETER)) $(if $(RECORD),--record)
+
+# What links for other machines.
+$(VENV)/.cross: $(VENV)/.setup constraints-dev.txt
+	@$(PYTHON) -m pip install --quiet cargo-zigbuild ziglang
+	@touch $@
+
+wheel: studio-build $(if $(TARGET),$(VENV)/.cross) ## a wheel, optimised as a whole, with the built studio (TARGET=aarch64-unknown-linux-musl; INTERPRETER=python3.14t; PROFILE=release: sooner)
+	$(if $(TARGET),rustup target add $(TARGET))
+	INTERPRETER="$(INTERPRETER)" scripts/wheel.sh $(PROFILE) $(TARGET)
 
 wheel-check: wheel ## the wheel in fresh environments outside the checkout: alone, as users install it, with every extra
-	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.whl | head -n 1)" $(if $(INTERPRETER),--python $(INTERPRETER))
+	$(WHEEL_CHECK) "$(NEWEST_WHEEL)"
 
 sdist: studio-build ## the sources as a package, with the built studio in it
 	@rm -rf python/clubface/studio_site && cp -R studio/dist python/clubface/studio_site
 	$(BIN)/maturin sdist --out target/wheels; status=$$?; rm -rf python/clubface/studio_site; exit $$status
 
 sdist-check: sdist ## the same checks of the wheel that pip makes of it
-	$(PYTHON) scripts/wheel_check.py "$$(ls -t target/wheels/*.tar.gz | head -n 1)" $(if $(INTERPRETER),--python $(INTERPRETER))
+	$(WHEEL_CHECK) "$$(ls -t target/wheels/*.tar.gz | head -n 1)"
 
 PREFIX ?= /usr/local
 libclubface: ## the C library with its header and the files of pkg-config and CMake, in PREFIX=/usr/local
@@ -88,8 +97,6 @@ test: dev $(STUDIO_TESTED) ## all tests; the last line is "N passed, N failed"
 
 PYTHONS ?= $(PYTHON)
 PYTEST ?=
-WHEEL ?=
-RECORD ?=
 TEST_VERSIONS = $(PYTHON) scripts/test_versions.py $(@:test-%=%) $(PYTHONS) $(if $(WHEEL),--wheel $(WHEEL)) \
 	$(if $(RECORD),--record) -- $(PYTEST)
 test-oldest: dev ## the tests of Python on the lowest versions allowed (PYTHONS="python3.11 python3.13", PYTEST=tests/cli, RECORD=1)
@@ -101,8 +108,14 @@ test-newest: dev ## the same on the highest versions allowed
 test-beyond: dev ## the same on the newest versions there are, whatever pyproject.toml allows
 	@$(TEST_VERSIONS)
 
-test-aarch64: ## packs, batches and flights as 64-bit Arm computes them, by qemu on other machines; minutes
-	scripts/test-aarch64.sh
+test-foreign: $(VENV)/.cross ## the tests of Rust as TARGET=aarch64-unknown-linux-gnu runs them, here by qemu or Wine; minutes (RECORD=1)
+	rustup target add $(TARGET)
+	$(PYTHON) scripts/foreign tests $(TARGET) $(if $(RECORD),--record)
+
+FOREIGN_PYTHON ?=
+test-wheel: $(VENV)/.setup ## the newest wheel (or WHEEL) in the Python of TARGET, here by qemu; minutes (PYTEST=tests/fem, RECORD=1)
+	$(PYTHON) scripts/foreign wheel $(TARGET) "$(NEWEST_WHEEL)" --python "$(FOREIGN_PYTHON)" --pytest "$(PYTEST)" \
+		$(if $(RECORD),--record)
 
 check: dev $(STUDIO_CHECKED) ## formatting, lints, types, documentation
 	cargo fmt --all --check

@@ -3,13 +3,15 @@
 ``python scripts/wheel_check.py WHEEL`` installs it with NumPy alone, then as `pip install clubface` does, then with
 every extra by itself, and runs in each what that installation is for. In place of a wheel it takes a package of
 sources, of which pip makes a wheel first, with Rust and what pyproject.toml asks for. ``--python PROGRAM`` names the
-interpreter; one without the global lock may leave out extras that have no wheels for it. The last line is
-"N passed, N failed".
+interpreter; one without the global lock may leave out extras that have no wheels for it. Of a wheel for another kind of
+machine it looks at size, files and symbols. ``--record`` puts the result into docs/tested-machines.json, which
+docs/versions.md shows. The last line is "N passed, N failed".
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import re
 import shutil
@@ -25,6 +27,10 @@ from urllib.parse import urljoin
 from urllib.request import urlopen
 
 ROOT = Path(__file__).parent.parent
+sys.path.insert(0, str(ROOT / "scripts" / "foreign"))
+from record import record  # noqa: E402
+from targets import TARGETS  # noqa: E402
+
 LARGEST = 15e6
 """Bytes that a wheel may have."""
 NO_LOCK = "import sys, clubface._core; assert not sys._is_gil_enabled(), 'clubface turned the global lock on'"
@@ -98,12 +104,19 @@ def check_contents(wheel: Path) -> str:
 
 
 def check_symbols(wheel: Path, folder: Path) -> str:
-    """Check that a wheel of Python's stable interface keeps to it, and on Linux which systems a wheel runs on."""
+    """Check that a wheel keeps to Python's stable interface and, on Linux, to the systems that its name promises."""
     tools = Environment(folder)
     tools.install("abi3audit", *(["auditwheel"] if sys.platform == "linux" else []))
     result = tools.run("abi3audit", "--strict", str(wheel)) if "-abi3-" in wheel.name else ""
-    if sys.platform == "linux":
-        result += tools.run("auditwheel", "show", str(wheel))
+    if "linux" in wheel.name and sys.platform == "linux":
+        # No libraries of this machine are looked at, whose C library may be another.
+        audit = json.loads(tools.run("auditwheel", "show", "--json", "--ldpaths", str(folder), str(wheel)))
+        # By this name, too, musl knows itself, which auditwheel knows by that of Alpine alone.
+        only_musl = "musllinux" in wheel.name and [*audit["external_libs"]] == ["libc.so"]
+        tag = audit["sym_tag" if only_musl else "overall_tag"]
+        if tag not in wheel.name:
+            raise RuntimeError(f"it keeps to {tag}; libraries of the system: {audit['external_libs']}")
+        result += tag
     return " ".join(result.split())[:300]
 
 
@@ -175,7 +188,13 @@ def build(sources: Path, folder: Path) -> Path:
     return wheel
 
 
-def main(given: Path, folder: Path) -> int:
+def runs_here(wheel: Path) -> bool:
+    """Return whether pip would install a wheel for the interpreter."""
+    command = [Environment.python, "-m", "pip", "install", "--dry-run", "--no-deps", "--quiet", str(wheel)]
+    return subprocess.run(command, capture_output=True, env=VARIABLES, check=False).returncode == 0
+
+
+def main(given: Path, folder: Path, recorded: bool) -> int:
     """Run every check of a wheel or a package of sources, print each result, and return how many failed."""
     wheel = given
     if given.suffix != ".whl":
@@ -189,11 +208,17 @@ def main(given: Path, folder: Path) -> int:
     checks = {
         "contents": lambda folder: check_contents(wheel),
         "symbols": lambda folder: check_symbols(wheel, folder),
-        "NumPy alone": lambda folder: check_alone(wheel, folder),
-        "command": lambda folder: check_command(wheel, folder),
-        "studio": lambda folder: check_studio(wheel, folder),
-        **{f"extra {name}": lambda folder, name=name: check_extra(wheel, name, folder) for name in extras()},
     }
+    installed = runs_here(wheel)
+    if installed:
+        checks |= {
+            "NumPy alone": lambda folder: check_alone(wheel, folder),
+            "command": lambda folder: check_command(wheel, folder),
+            "studio": lambda folder: check_studio(wheel, folder),
+            **{f"extra {name}": lambda folder, name=name: check_extra(wheel, name, folder) for name in extras()},
+        }
+    else:
+        print(f"{wheel.name} is for another kind of machine: it is not installed")
     counts = {"passed": 0, "failed": 0}
     for name, check in checks.items():
         with tempfile.TemporaryDirectory(prefix="clubface-wheel-") as place:
@@ -205,6 +230,10 @@ def main(given: Path, folder: Path) -> int:
             except RuntimeError as error:
                 print(f"{name:<16} FAILED: {error}", flush=True)
                 counts["failed"] += 1
+    if recorded:
+        (target,) = (each for each in TARGETS.values() if each.takes(wheel.name))
+        results = {"wheel": wheel.name, "megabytes": round(wheel.stat().st_size / 1e6, 1), **counts}
+        record(target, "contents", "installed" if installed else "not installed", results)
     print(f"{counts['passed']} passed, {counts['failed']} failed")
     return counts["failed"]
 
@@ -213,10 +242,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Check a wheel, or a package of sources, as its users meet it.")
     parser.add_argument("package", type=Path, help="a wheel or a package of sources")
     parser.add_argument("--python", default=sys.executable, help="the interpreter of the environments")
+    parser.add_argument("--record", action="store_true", help="put the result into docs/tested-machines.json")
     options = parser.parse_args()
     Environment.python = options.python
     report = "import sysconfig; print(bool(sysconfig.get_config_var('Py_GIL_DISABLED')))"
     done = subprocess.run([options.python, "-c", report], capture_output=True, text=True, check=True)
     Environment.free_threaded = done.stdout.strip() == "True"
     with tempfile.TemporaryDirectory(prefix="clubface-wheel-") as place:
-        sys.exit(main(options.package.resolve(), Path(place)) > 0)
+        sys.exit(main(options.package.resolve(), Path(place), options.record) > 0)

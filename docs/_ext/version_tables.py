@@ -1,4 +1,4 @@
-"""Tables of the versions of Python and of dependencies on which the tests ran, made from what the runs recorded."""
+"""Tables of the versions and machines on which the tests ran, made from what the runs recorded."""
 
 from __future__ import annotations
 
@@ -17,6 +17,11 @@ ROOT = Path(__file__).parents[2]
 def runs() -> list[dict[str, Any]]:
     """Return the runs that `make test-oldest`, `test-newest` and `test-beyond` recorded."""
     return json.loads((ROOT / "docs" / "tested-versions.json").read_text(encoding="utf-8"))
+
+
+def machine_runs() -> list[dict[str, Any]]:
+    """Return the runs that `make wheel-check`, `test-foreign` and `test-wheel` recorded."""
+    return json.loads((ROOT / "docs" / "tested-machines.json").read_text(encoding="utf-8"))
 
 
 def version_key(version: str) -> list[int]:
@@ -67,8 +72,43 @@ class TestedPackages(CoreTable):
         return markdown_table(("package", "allowed", "lowest tested", "highest tested"), rows)
 
 
+class TestedMachines(CoreTable):
+    """``{tested-machines}``: for each kind of machine, its wheel and which tests ran how, and how they ended."""
+
+    def table(self) -> list[str]:
+        """One row a kind of machine."""
+        recorded = {(each["target"], each["what"]): each for each in machine_runs()}
+        heads = ("machine", "wheel", "Rust", "Python, from the wheel")
+        rows = (
+            [
+                f"`{target}`",
+                contents_cell(recorded.get((target, "contents"))),
+                *(tests_cell(recorded.get((target, what))) for what in ("tests", "wheel")),
+            ]
+            for target in dict.fromkeys(each["target"] for each in machine_runs())
+        )
+        return markdown_table(heads, rows)
+
+
+def contents_cell(run: dict[str, Any] | None) -> str:
+    """Return what the checks of a wheel found."""
+    if run is None:
+        return "not built"
+    platform = run["wheel"].removesuffix(".whl").rpartition("-")[2].partition(".")[0]
+    return f"`{platform}`, {run['megabytes']} MB, {run['passed']} checks passed, {run['failed']} failed"
+
+
+def tests_cell(run: dict[str, Any] | None) -> str:
+    """Return how tests ran and ended."""
+    if run is None:
+        return "not run"
+    selection = "all" if run["tests"] == "all" else "a selection"
+    return f"{run['how']}, {selection}: {run['passed']} passed, {run['failed']} failed, {run['date']}"
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register the directives."""
     app.add_directive("tested-runs", TestedRuns)
     app.add_directive("tested-packages", TestedPackages)
+    app.add_directive("tested-machines", TestedMachines)
     return {"parallel_read_safe": True}

@@ -123,6 +123,45 @@ fn assert_same_bits(pairs: &[(f64, f64)]) {
     }
 }
 
+/// `a b + c` of all rows.
+#[derive(Clone, Copy)]
+struct Fused<'a>(&'a [[f64; 3]]);
+
+impl Kernel for Fused<'_> {
+    type Output = Vec<f64>;
+    fn run<S: Lanes>(self) -> Vec<f64> {
+        RowsKernel::run::<S>(self)
+    }
+}
+
+impl RowsKernel for Fused<'_> {
+    type Output = Vec<f64>;
+    fn run<S: Numbers>(self) -> Vec<f64> {
+        let rows = self.0.chunks_exact(S::LANES).flat_map(|pack| {
+            let [a, b, c] = [0, 1, 2].map(|place| S::from_fn(|lane| pack[lane][place]));
+            let result = a.mul_add(b, c);
+            (0..S::LANES).map(move |lane| result.lane(lane))
+        });
+        rows.collect()
+    }
+}
+
+proptest! {
+    /// The only operation whose bits may depend on the width; no third way of rounding it exists.
+    #[test]
+    fn a_product_and_a_sum_at_once_are_rounded_once_or_twice(
+        rows in prop::collection::vec(prop::array::uniform3(-2.0..2.0f64), 16)
+    ) {
+        for (width, results) in every_width(Fused(&rows)) {
+            for (result, &[a, b, c]) in results.iter().zip(&rows) {
+                let (once, twice) = (a.mul_add(b, c), a * b + c);
+                prop_assert!(*result == once || *result == twice, "{a} {b} {c} in {width} lanes: {result}");
+            }
+            prop_assert_eq!(results.len(), rows.len());
+        }
+    }
+}
+
 #[test]
 fn special_numbers_give_the_same_bits_in_every_lane() {
     let (infinity, small) = (f64::INFINITY, f64::MIN_POSITIVE);

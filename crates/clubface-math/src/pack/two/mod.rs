@@ -4,6 +4,8 @@
 //! these, with one set of names, and the packs are written once. Where names do not say it all:
 //!
 //! * `max(a, b)` is `a` where it is larger, else `b`, also for NaN and for zeros of either sign; so is `min`;
+//! * `mul_add(a, b, c)` is `a b + c`, fused on Arm, where it costs what a product does; WebAssembly has none that is the
+//!   same everywhere;
 //! * `firsts` and `seconds` are the first lanes of two registers, and their second lanes;
 //! * `second_and_first` is the second lane of one register and the first of another.
 
@@ -146,6 +148,10 @@ impl Scalar for F64x2 {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(register::abs(self.0))
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        Self(register::mul_add(self.0, factor.0, term.0))
     }
     #[inline(always)]
     fn ln(self) -> Self {

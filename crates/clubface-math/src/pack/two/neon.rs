@@ -24,6 +24,7 @@ instructions! {
     neg(a: Pair) -> Pair { vnegq_f64(a) }
     abs(a: Pair) -> Pair { vabsq_f64(a) }
     sqrt(a: Pair) -> Pair { vsqrtq_f64(a) }
+    mul_add(a: Pair, b: Pair, c: Pair) -> Pair { vfmaq_f64(c, a, b) }
     // Not FMAX or FMAXNM: the first is NaN where either number is, the second the other number, and both take 0 for
     // larger than -0.
     max(a: Pair, b: Pair) -> Pair { vbslq_f64(vcgtq_f64(a, b), a, b) }

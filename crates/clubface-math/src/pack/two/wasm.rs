@@ -30,6 +30,10 @@ pub fn min(a: Pair, b: Pair) -> Pair {
     f64x2_pmin(b, a)
 }
 #[inline(always)]
+pub fn mul_add(a: Pair, b: Pair, c: Pair) -> Pair {
+    add(mul(a, b), c)
+}
+#[inline(always)]
 pub fn pow2_shifted(shifted: Pair) -> Pair {
     i64x2_shl(i64x2_add(shifted, i64x2_splat(1023)), 52)
 }

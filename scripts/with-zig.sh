@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Runs a command with zig as the linker of a target, named as Rust does: with-zig.sh TARGET COMMAND... cargo-zigbuild and
+# maturin would each name a linker of their own, and cargo compiles everything again where the linker is another.
+set -eu
+target=$1
+shift
+case "$target" in
+*-linux-gnu) zig=${target%%-*}-linux-gnu.2.17 ;; # the glibc of manylinux2014
+*-linux-musl) zig=${target%%-*}-linux-musl ;;
+*-windows-gnu) zig=${target%%-*}-windows-gnu ;;
+*-apple-darwin) zig=${target%%-*}-macos-none ;;
+*) echo "with-zig.sh: $target is not a target that zig links here" >&2 && exit 1 ;;
+esac
+name=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
+if [ -z "${!name:-}" ]; then
+    folder=${CARGO_TARGET_DIR:-$(dirname "$0")/../target}/zig
+    mkdir -p "$folder"
+    linker=$(cd "$folder" && pwd)/$target
+    printf '#!/bin/sh\nexec cargo-zigbuild zig cc -- -g -fno-sanitize=all -target %s "$@"\n' "$zig" >"$linker"
+    chmod +x "$linker"
+    export "$name=$linker"
+fi
+exec "$@"
