@@ -60,7 +60,7 @@ def test_a_test_program_that_stops_without_a_result_counts_as_a_failure(foreign,
 
     line = "test result: ok. 3 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.01s"
     target, runner = TARGETS["aarch64-unknown-linux-gnu"], Runner((), "qemu-user")
-    monkeypatch.setattr(rust_tests, "EMULATED", ("--package clubface-math",))
+    monkeypatch.setattr(rust_tests, "EMULATED", ("--test golden",))
     for status, failed in ((0, 0), (139, 1)):
         command = [sys.executable, "-c", f"print({line!r}); raise SystemExit({status})"]
         monkeypatch.setattr(rust_tests, "cargo", lambda target, command=command: command)

@@ -11,15 +11,14 @@ from typing import Any
 
 from targets import ROOT, Runner, Target
 
-EVERYTHING = ("--workspace --exclude clubface-python --no-fail-fast",)
+EVERYTHING = ("--no-fail-fast",)
 EMULATED = (
-    "--package clubface-math",
-    # What runs in packs against the same shots one by one.
-    "--package clubface-impact --test verification -- lanes batches flight batch_derivatives",
-    # Packs of every width, patches that must take up constant strain, one team of threads.
-    "--package clubface-fem --test fem -- elements tetrahedra patches derived_forces worker_pool",
+    # Packs and what runs in them, against the same numbers and shots one by one.
+    "--test verification -- dual elementary lanes ode packs rotations batches flight batch_derivatives",
+    # Elements in packs of every width, patches that must take up constant strain, a team of threads.
+    "--test fem -- elements tetrahedra patches derived_forces worker_pool",
     # Shots, flights, maps, golfers and impacts by finite elements against the numbers that x86 computed.
-    "--package clubface-c --test golden",
+    "--test golden",
 )
 """What runs in packs and what compares with another machine: all tests would take hours."""
 RESULT = re.compile(r"^test result: .*?(\d+) passed; (\d+) failed; (\d+) ignored;")
@@ -40,7 +39,9 @@ def run_tests(target: Target, runner: Runner) -> dict[str, Any]:
 
 def cargo(target: Target) -> list[str]:
     """Return the command that compiles tests for a target and runs them."""
-    options = ["test", "--release", "--locked"]
+    # One selection of packages, whatever runs: the features of what they share depend on it, and with them what is
+    # compiled anew.
+    options = ["test", "--release", "--locked", "--workspace", "--exclude", "clubface-python"]
     if target.native and target.c_library != "musl":
         return ["cargo", *options]
     return ["scripts/with-zig.sh", target.triple, "cargo-zigbuild", *options, "--target", target.triple]
