@@ -83,8 +83,9 @@ class Environment:
         return done.stdout
 
     def install(self, *what: str) -> None:
-        """Install by pip, without what pip says of itself."""
-        self.run("python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *what)
+        """Install by pip, and compile nothing where many packages have no wheels for the interpreter."""
+        options = ["--only-binary", ":all:"] if self.free_threaded else []
+        self.run("python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *options, *what)
 
 
 def extras() -> list[str]:
@@ -170,7 +171,7 @@ def check_extra(wheel: Path, extra: str, folder: Path) -> str:
     """Install one extra alone and use it."""
     environment = Environment(folder)
     try:
-        environment.install(f"{wheel}[{extra}]", *(["--only-binary", ":all:"] if environment.free_threaded else []))
+        environment.install(f"{wheel}[{extra}]")
     except RuntimeError as error:
         missing = re.search(r"No matching distribution found for (\S+)", str(error))
         if environment.free_threaded and missing:
