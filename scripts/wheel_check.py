@@ -173,7 +173,7 @@ def check_extra(wheel: Path, extra: str, folder: Path) -> str:
     try:
         environment.install(f"{wheel}[{extra}]")
     except RuntimeError as error:
-        missing = re.search(r"No matching distribution found for (\S+)", str(error))
+        missing = re.search(r"No matching distribution found for ([\w-]+)", str(error))
         if environment.free_threaded and missing:
             raise MissingWheelError(f"no wheel of {missing[1]} for this Python") from None
         raise
