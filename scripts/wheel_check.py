@@ -173,9 +173,9 @@ def check_extra(wheel: Path, extra: str, folder: Path) -> str:
     try:
         environment.install(f"{wheel}[{extra}]")
     except RuntimeError as error:
-        missing = re.search(r"No matching distribution found for ([\w-]+)", str(error))
+        missing = re.search(r"No matching distribution found for ([\w-]+)|ResolutionImpossible", str(error))
         if environment.free_threaded and missing:
-            raise MissingWheelError(f"no wheel of {missing[1]} for this Python") from None
+            raise MissingWheelError(f"no wheel of {missing[1] or 'what it needs'} for this Python") from None
         raise
     environment.run("python", "-W", "ignore", "-c", TRIED.get(extra, SHOT))
     return "installed and used"
