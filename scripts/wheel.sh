@@ -27,7 +27,10 @@ fi
 scripts/fmi-library.sh "$profile" "$target"
 rm -rf $package/studio_site
 cp -R studio/dist $package/studio_site
-maturin=(maturin build --profile "$profile" ${INTERPRETER:+--interpreter "$INTERPRETER"})
+interpreter=${INTERPRETER:-}
+# A name alone, where no interpreter of this machine says which stable interface is meant.
+case "$target" in *-windows-* | *-apple-*) interpreter=${interpreter:-python3.11} ;; esac
+maturin=(maturin build --profile "$profile" ${interpreter:+--interpreter "$interpreter"})
 if [ -n "$target" ]; then
     maturin=(scripts/with-zig.sh "$target" "${maturin[@]}" --target "$target" --zig)
 fi
