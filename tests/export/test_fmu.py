@@ -129,6 +129,8 @@ def test_a_whole_impact_through_a_unit_is_the_impact(unit):
 
 
 def test_an_importer_runs_it_with_a_head_that_moves_as_prescribed(unit):
+    if "aarch64-linux" in str(zipfile.ZipFile(unit).namelist()):
+        pytest.skip("FMPy's simulate_fmu does not look for libraries under the name that FMI 3.0 has for Linux on Arm")
     rotation, position, velocity, spin = clubface.Delivery(speed="100 mph", loft="11 deg").pose("driver")
     start = head_of(np.array(rotation), position - 1e-5 * velocity, velocity, np.zeros(3))
     times = np.array([0.0, 1e-3])
