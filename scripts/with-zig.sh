@@ -15,8 +15,11 @@ name=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
 if [ -z "${!name:-}" ]; then
     folder=${CARGO_TARGET_DIR:-$(dirname "$0")/../target}/zig
     mkdir -p "$folder"
-    linker=$(cd "$folder" && pwd)/$target
-    printf '#!/bin/sh\nexec cargo-zigbuild zig cc -- -g -fno-sanitize=all -target %s "$@"\n' "$zig" >"$linker"
+    folder=$(cd "$folder" && pwd)
+    linker=$folder/$target
+    # maturin 1.16 asks Windows for PyInit_clubface._core, where the module _core has PyInit__core.
+    printf '#!/bin/sh\nsed -i s/PyInit_clubface._core/PyInit__core/ %s/../maturin/*.def 2>/dev/null\n' "$folder" >"$linker"
+    printf 'exec cargo-zigbuild zig cc -- -g -fno-sanitize=all -target %s "$@"\n' "$zig" >>"$linker"
     chmod +x "$linker"
     export "$name=$linker"
 fi
