@@ -28,16 +28,6 @@ def wine_variables(folder: Path, wine: str) -> dict[str, str]:
     library = system / f"{LACKING}.dll"
     if not library.exists():
         source = Path(__file__).with_name(f"{LACKING}.c")
-        command = [
-            sys.executable,
-            "-m",
-            "ziglang",
-            "cc",
-            "-target",
-            "x86_64-windows-gnu",
-            "-shared",
-            "-o",
-            str(library),
-        ]
-        subprocess.run([*command, str(source), "-ladvapi32"], check=True)
+        compiler = [sys.executable, "-m", "ziglang", "cc", "-target", "x86_64-windows-gnu", "-shared"]
+        subprocess.run([*compiler, "-o", str(library), str(source), "-ladvapi32"], check=True)
     return variables

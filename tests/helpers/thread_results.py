@@ -105,8 +105,8 @@ def elements() -> Any:
 
 def spread() -> Any:
     """Return the statistics of a golfer's shots."""
-    found = clubface.dispersion("bogey-driver", count=256, seed=1)
-    return found.mean("carry"), found.spread("carry")
+    shots = clubface.dispersion("bogey-driver", count=256, seed=1)
+    return shots.mean("carry"), shots.spread("carry")
 
 
 def read() -> Any:

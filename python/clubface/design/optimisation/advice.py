@@ -1,8 +1,8 @@
 """Advice: which of several alternatives a golfer should play, by what counts, and which differences are worth a change.
 
 Every command that advises a golfer, a fitting, an optimisation and the best loft, asks the same question of the same
-numbers: is an alternative better than the present one by at least the smallest difference that is worth a change? The
-answer is told in the same sentences, tables and panel.
+numbers: is an alternative better than the present one by at least the smallest difference that is worth a change? All
+of them present the answer in the same sentences, tables and panel.
 """
 
 from __future__ import annotations
