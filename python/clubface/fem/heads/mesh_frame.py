@@ -7,6 +7,7 @@ heads would go by one name.
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping, Sequence
 from itertools import permutations, product
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.errors import InputError
 from clubface.fem.geometry import area_vectors
+from clubface.fem.mesh_files import Mesh
 
 ANGLE = math.radians(1.0)
 """How far the face normal of a mesh may be from that of the file. A mesh of a curved face with elements of 5 mm leaves
@@ -105,48 +107,39 @@ def _quadric(places: NDArray[Any], normal: NDArray[Any], reach: float) -> Face |
 
 
 def check_frame(
+    mesh: Mesh,
     nodes: NDArray[Any],
     quads: NDArray[Any],
     *,
     drawn: NDArray[Any],
-    file: str,
     loft: float,
     bulge: float,
     roll: float,
     wall: float,
     centre: str,
     parts: Mapping[str, NDArray[Any]],
-    notes: list[str],
 ) -> None:
     """Refuse a mesh that lies otherwise than its head's file says.
 
     Parameters
     ----------
-    nodes
-        Seen from the face centre of the file [m].
-    quads
-        Elements of the face.
-    drawn
-        Which nodes are those of the file, shape (nodes,).
-    file
-        Name of the mesh.
-    loft, bulge, roll
-        Of the file [rad, m].
+    mesh
+        The file, which takes notes on what is odd.
+    nodes, quads, drawn
+        As of :func:`measured_face`.
+    loft, bulge, roll, centre
+        Of the head's file [rad, m]; the face centre as it is given there.
     wall
         Thickness of the face [m].
-    centre
-        The face centre as the file gives it.
     parts
         Places of the nodes of every group and mass, by name.
-    notes
-        Takes sentences on what is odd.
 
     Raises
     ------
     InputError
         Loft, bulge, roll or face centre differ, or the axes are others; with both numbers.
     """
-    face = measured_face(nodes, quads, drawn)
+    face, file = measured_face(nodes, quads, drawn), os.path.basename(mesh.path)
     expected = np.array([math.cos(loft), math.sin(loft), 0.0])
     _check_axes(face.normal, expected, file)
     _check_sides(nodes, parts, file)
@@ -177,7 +170,13 @@ def check_frame(
         away = units.fixed(abs(face.height), "mm", 1)
         message = f"a place on the outside of the face: it is {away} {side} the face of {file}"
         raise InputError("face_centre", centre, message)
-    _note_off_centre(nodes[np.unique(quads)], notes)
+    places = nodes[np.unique(quads)]
+    for axis, sides in ((2, ("toe", "heel")), (1, ("top", "bottom"))):
+        low, high = float(places[:, axis].min()), float(places[:, axis].max())
+        off = -0.5 * (low + high)
+        if abs(off) > OFF_CENTRE * (high - low):
+            away = f"{units.fixed(abs(off), 'mm', 1)} nearer the {sides[off < 0.0]}"
+            mesh.notes.append(f"face_centre lies {away} than the middle of the face")
 
 
 def _degrees(angle: float) -> str:
@@ -243,17 +242,4 @@ def _check_sides(nodes: NDArray[Any], parts: Mapping[str, NDArray[Any]], file: s
                 else ""
             )
             place = f"{units.fixed(abs(off), 'mm', 1)} on the other side of the middle of {file}"
-            message = f"{DIRECTIONS[axis]}: {name!r} lies {place}{more}"
-            raise InputError("axes of the mesh", None, message)
-
-
-def _note_off_centre(face: NDArray[Any], notes: list[str]) -> None:
-    """Note a face centre far from the middle of the outline of the face."""
-    for axis, name in ((2, ("toe", "heel")), (1, ("top", "bottom"))):
-        low, high = float(face[:, axis].min()), float(face[:, axis].max())
-        off = -0.5 * (low + high)
-        if abs(off) > OFF_CENTRE * (high - low):
-            side = name[0] if off > 0.0 else name[1]
-            notes.append(
-                f"face_centre lies {units.fixed(abs(off), 'mm', 1)} nearer the {side} than the middle of the face"
-            )
+            raise InputError("axes of the mesh", None, f"{DIRECTIONS[axis]}: {name!r} lies {place}{more}")

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import FileError, InputError, UnknownNameError
+from clubface.errors import InputError, UnknownNameError
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import SOLIDS, Mesh, Wall
 from clubface.schema import FLAG, NAME, TEXT, Items, PhysicalValue, Place, Record, entries
@@ -87,11 +87,11 @@ def group_values(group: Group) -> dict[str, Any]:
     return {key: value for key, value in own.items() if value not in (None, False, ())} | metal
 
 
-def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any]:
+def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
     """Return the place among ``groups`` of the group of each element.
 
     A group takes the set of its name, or the sets that it lists; sets that no group names do not matter. What is
-    decided beyond that is added to ``notes``.
+    decided beyond that is noted.
 
     Raises
     ------
@@ -99,15 +99,15 @@ def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any
         An element belongs to no group or to two, or a group has no element.
     """
     if not len(mesh.corners):
-        raise FileError(mesh.path, None, "there are no elements of surfaces or solids in this file")
+        raise mesh.error("there are no elements of surfaces or solids in this file")
     places = np.full(len(mesh.corners), -1)
     if not any(len(rows) for rows in mesh.sets.values()) and len(groups) == 1:
-        notes.append(f"the file names no sets of elements: all belong to {groups[0].name!r}")
+        mesh.notes.append(f"the file names no sets of elements: all belong to {groups[0].name!r}")
         return np.zeros(len(mesh.corners), dtype=int)
     names = [_sets_of(mesh, group) for group in groups]
     if not any(names) and (numbered := _by_order(mesh, len(groups))):
         order = ", ".join(f"{one} as {group.name}" for one, group in zip(numbered, groups, strict=True))
-        notes.append(
+        mesh.notes.append(
             f"its sets have numbers and no names; they are taken in the order of [[groups]]: {order};"
             f' to settle it, write sets = ["{numbered[0]}"] under the group'
         )
@@ -119,14 +119,14 @@ def assign(mesh: Mesh, groups: Sequence[Group], notes: list[str]) -> NDArray[Any
             if len(taken):
                 other, element = groups[int(places[taken[0]])].name, mesh.ids[taken[0]]
                 message = f"element {element} belongs to two groups, {other!r} and {group.name!r}"
-                raise FileError(mesh.path, None, message)
+                raise mesh.error(message)
             places[rows] = place
     if (places < 0).any():
         _refuse_rest(mesh, groups, places)
     counts = np.bincount(places, minlength=len(groups))
     if not counts.all():
         empty = groups[int(np.argmin(counts))].name
-        raise FileError(mesh.path, None, f"no element belongs to the group {empty!r}; {_listed(mesh)}")
+        raise mesh.error(f"no element belongs to the group {empty!r}; {_listed(mesh)}")
     return places
 
 
@@ -143,7 +143,7 @@ def _sets_of(mesh: Mesh, group: Group) -> list[str]:
         if name in mesh.sets:
             names.append(name)
         elif group.sets:
-            raise FileError(mesh.path, None, str(UnknownNameError("set of the mesh", name, tuple(mesh.sets))))
+            raise mesh.error(str(UnknownNameError("set of the mesh", name, tuple(mesh.sets))))
     return names
 
 
@@ -169,13 +169,11 @@ def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> N
         most = max(holders, key=lambda name: holders[name])
         message = str(UnknownNameError("group of the mesh", most, tuple(group.name for group in groups)))
         advice = f"its {holders[most]} elements need a group: name it under [[groups]], or list it there as sets = [..]"
-        raise FileError(mesh.path, None, f"{message}; {advice}; {_listed(mesh)}")
+        raise mesh.error(f"{message}; {advice}; {_listed(mesh)}")
     message = f"element {mesh.ids[rest[0]]} belongs to no group"
     if len(rest) > 1:
         message += f", and {len(rest) - 1} more do not"
-    raise FileError(
-        mesh.path, None, f"{message}; name physical groups or sets of elements in the mesh; {_listed(mesh)}"
-    )
+    raise mesh.error(f"{message}; name physical groups or sets of elements in the mesh; {_listed(mesh)}")
 
 
 def _listed(mesh: Mesh) -> str:
@@ -195,8 +193,7 @@ def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
     InputError
         A group of solid elements has a thickness.
     """
-    solids = mesh.solids
-    if not len(solids.ids):
+    if (solids := mesh.solids) is None or not len(solids.ids):
         return False
     wanted = {_plain(name) for group in groups for name in (group.sets or (group.name,))}
     known = {name: {name} | {alias for alias, real in mesh.aliases.items() if real == name} for name in solids.sets}
@@ -244,9 +241,7 @@ METAL = ("youngs", "poisson", "density")
 _UNITS = {"youngs": "GPa", "density": "kg/m3", "poisson": "1"}
 
 
-def walls(
-    mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, notes: list[str]
-) -> tuple[NDArray[Any], list[Metal]]:
+def walls(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str) -> tuple[NDArray[Any], list[Metal]]:
     """Return the thickness of each element [m] and the metal of each group.
 
     What a group gives counts. For the rest the cards of the file do, with the thickness of an element by itself before
@@ -279,11 +274,12 @@ def walls(
             thickness[own] = by_cards
         if (by_cards <= 0.0).any():
             differing.append(f"{group.name} 0 mm there")
-    return thickness, metals_of(mesh, groups, of_group, unit, notes, differing)
+    return thickness, metals_of(mesh, groups, of_group, unit, differing)
 
 
-def metals_of(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, notes: list[str],
-              differing: Sequence[str] = ()) -> list[Metal]:  # fmt: skip
+def metals_of(
+    mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, differing: Sequence[str] = ()
+) -> list[Metal]:
     """Return the metal of each group, as :func:`walls` does; ``differing`` says where cards differ in other values."""
     cards = list(mesh.walls.items())
     wall_of = np.full(len(mesh.corners), -1)
@@ -292,13 +288,13 @@ def metals_of(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit:
     metals, unread, differing = [], [], list(differing)
     for number, group in enumerate(groups):
         own_walls = [cards[each][1] for each in np.unique(wall_of[of_group == number]) if each >= 0]
-        metals.append(_metal(mesh, group, own_walls, unit, differing, unread, notes))
+        metals.append(_metal(mesh, group, own_walls, unit, differing, unread))
     if differing:
-        notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
+        mesh.notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
     if unread:
         values = " and ".join(f"{key} {units.show(getattr(Metal(), key), _UNITS[key])}" for key in METAL)
         missing = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
-        notes.append(f"{missing}; taken as of titanium where the group does not give it: {values}")
+        mesh.notes.append(f"{missing}; taken as of titanium where the group does not give it: {values}")
     return metals
 
 
@@ -307,8 +303,9 @@ def _range(values: NDArray[Any]) -> str:
     return least if least == most else f"{least} to {most}"
 
 
-def _metal(mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str],
-           notes: list[str]) -> Metal:  # fmt: skip
+def _metal(
+    mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str]
+) -> Metal:
     """Return the metal of a group, and note where file and cards differ, and metals that are not read."""
     given = group.metal
     cards = [_in_si(mesh, wall, unit) for wall in walls if wall.youngs is not None or wall.density is not None]
@@ -334,7 +331,7 @@ def _metal(mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing
     if card and not set(METAL) <= {*card, *given}:
         left = [key for key in METAL if key not in card and key not in given]
         values = " and ".join(f"{key} {units.show(getattr(metal, key), _UNITS[key])}" for key in left)
-        notes.append(f"no card gives {' or '.join(left)} of {group.name}; taken as of titanium: {values}")
+        mesh.notes.append(f"no card gives {' or '.join(left)} of {group.name}; taken as of titanium: {values}")
     return metal
 
 
@@ -354,10 +351,10 @@ def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
     )
     known = "; ".join(system.name for system in (*SYSTEMS.get(unit, ()), SI))
     message = f"{wall.source}: {values} are those of no metal in any usual system of units ({known}); correct the card"
-    raise FileError(mesh.path, None, message)
+    raise mesh.error(message)
 
 
-def point_masses(mesh: Mesh, unit: str, notes: list[str]) -> list[tuple[float, float, float, float]]:
+def point_masses(mesh: Mesh, unit: str) -> list[tuple[float, float, float, float]]:
     """Return the point masses of a file: places in its unit, masses in kg."""
     masses = [each for each in mesh.masses if each[3]]
     if not masses:
@@ -366,7 +363,7 @@ def point_masses(mesh: Mesh, unit: str, notes: list[str]) -> list[tuple[float, f
     sizes = {system.mass for system in (*SYSTEMS.get(unit, ()), SI) if MASSES[0] <= whole * system.mass <= MASSES[1]}
     if len(sizes) != 1:
         message = f"its {len(masses)} point masses add up to {whole:g}, which is no mass of a head in any usual unit"
-        raise FileError(mesh.path, None, f"{message}; remove them and give [[masses]]")
+        raise mesh.error(f"{message}; remove them and give [[masses]]")
     (size,) = sizes
-    notes.append(f"its {len(masses)} point masses, {units.show(whole * size, 'g')} in all, are added to the head")
+    mesh.notes.append(f"its {len(masses)} point masses, {units.show(whole * size, 'g')} in all, are added to the head")
     return [(x, y, z, mass * size) for x, y, z, mass in masses]

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import FileError
 from clubface.fem.geometry import area_vectors
 from clubface.fem.mesh_files import Mesh
 
@@ -35,18 +34,17 @@ class Shells:
 
     Attributes
     ----------
-    points
-        Places of nodes, shape (n, 3).
-    node_ids
-        Their numbers in the file; 0 for one that was added.
-    corners
-        Nodes of elements, shape (m, 4); the last of a triangle is -1.
-    ids
-        Numbers of the elements in the file.
+    mesh
+        The file.
+    points, node_ids
+        Places of nodes, shape (n, 3), and their numbers in the file; 0 for one that was added.
+    corners, ids
+        Nodes of elements, shape (m, 4), and their numbers in the file; the last node of a triangle is -1.
     group, thickness
         Group and own thickness of each element.
     """
 
+    mesh: Mesh
     points: NDArray[Any]
     node_ids: NDArray[Any]
     corners: NDArray[Any]
@@ -60,37 +58,29 @@ class Shells:
         self.group, self.thickness = self.group[chosen], self.thickness[chosen]
 
 
-def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any], notes: list[str]) -> Shells:
+def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any]) -> Shells:
     """Return the shells of a mesh as convex, connected quadrilaterals with outward normals, as far as that can be.
 
-    Parameters
-    ----------
-    mesh
-        The file.
-    group
-        Group of each element.
-    face
-        Which groups are of the face, shape (groups,).
-    notes
-        Sentences on what was changed are added to them.
+    ``group`` is the place of the group of each element, and ``face`` says which groups are of the face. What is changed
+    is noted.
 
     Raises
     ------
     FileError
         An element lists a node twice, has no area, or shares an edge with two others.
     """
-    shells = Shells(mesh.points, mesh.node_ids, mesh.corners.copy(), mesh.ids, group, mesh.thickness)
-    _take_triangles(mesh.path, shells)
-    _merge_nodes(mesh.path, shells, notes)
+    shells = Shells(mesh, mesh.points, mesh.node_ids, mesh.corners.copy(), mesh.ids, group, mesh.thickness)
+    _take_triangles(shells)
+    _merge_nodes(shells)
     _drop_unused(shells)
-    _check_doubles(mesh.path, shells)
-    _cut_bad_quadrilaterals(mesh.path, shells, notes)
-    _turn_outward(mesh.path, shells, face, notes)
-    _split(shells, notes)
+    _check_doubles(shells)
+    _cut_bad_quadrilaterals(shells)
+    _turn_outward(shells, face)
+    _split(shells)
     return shells
 
 
-def _take_triangles(path: str, shells: Shells) -> None:
+def _take_triangles(shells: Shells) -> None:
     """Take quadrilaterals whose last two nodes are the same as the triangles that they stand for; refuse other ones."""
     corners = shells.corners
     corners[corners[:, 2] == corners[:, 3], 3] = -1
@@ -100,21 +90,14 @@ def _take_triangles(path: str, shells: Shells) -> None:
         row = int(np.argmax(doubled))
         nodes = [int(shells.node_ids[each]) for each in corners[row] if each >= 0]
         message = f"element {shells.ids[row]} is inverted or degenerate: it lists a node twice, {nodes}"
-        raise FileError(path, None, message)
+        raise shells.mesh.error(message)
 
 
-def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
+def _merge_nodes(shells: Shells) -> None:
     """Make one of nodes that lie at one place, and elements that lose an edge by that triangles, or nothing."""
-    used = np.unique(shells.corners[shells.corners >= 0])
-    points = shells.points[used]
-    near = MERGED * float(np.ptp(points, axis=0).max())
-    root = coincident(points, near)
-    merged = int((root != np.arange(len(root))).sum())
-    if not merged:
+    corners, count, near = merged(shells.points, shells.corners)
+    if not count:
         return
-    to = np.arange(len(shells.points))
-    to[used] = used[root]
-    corners = np.where(shells.corners >= 0, to[shells.corners], -1)
     quads = corners[:, 3] >= 0
     # A corner that is the one before it is taken out; what is left moves up.
     for place in range(4):
@@ -127,17 +110,27 @@ def _merge_nodes(path: str, shells: Shells, notes: list[str]) -> None:
         | (quads & ((corners[:, 0] == corners[:, 2]) | (corners[:, 1] == corners[:, 3])))
     )  # fmt: skip
     shells.corners = corners
-    text = f"{merged} nodes within {near:.2g} of another, in the unit of the file, are merged with it"
+    text = f"{count} nodes within {near:.2g} of another, in the unit of the file, are merged with it"
     if lost.any():
         some = ", ".join(str(each) for each in shells.ids[lost][:3])
         text += f"; {int(lost.sum())} elements have no area then and are left out, such as {some}"
         shells.keep(~lost)
     if not len(shells.ids):
-        raise FileError(path, None, "all elements are smaller than the distance within which nodes are one")
-    notes.append(text)
+        raise shells.mesh.error("all elements are smaller than the distance within which nodes are one")
+    shells.mesh.notes.append(text)
 
 
-def coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
+def merged(points: NDArray[Any], corners: NDArray[Any]) -> tuple[NDArray[Any], int, float]:
+    """Return corners in which nodes at one place are one, how many are gone, and how near to each other they were."""
+    used = np.unique(corners[corners >= 0])
+    near = MERGED * float(np.ptp(points[used], axis=0).max())
+    root = _coincident(points[used], near)
+    to = np.arange(len(points))
+    to[used] = used[root]
+    return np.where(corners >= 0, to[corners], -1), int((root != np.arange(len(root))).sum()), near
+
+
+def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
     """Return for each point the first of those that are nearer than ``near``, itself among them."""
     along = points @ np.array(DIRECTION)
     order = np.argsort(along, kind="stable")
@@ -165,14 +158,14 @@ def _drop_unused(shells: Shells) -> None:
     shells.points, shells.node_ids = shells.points[used], shells.node_ids[used]
 
 
-def _check_doubles(path: str, shells: Shells) -> None:
+def _check_doubles(shells: Shells) -> None:
     """Refuse two elements of the same nodes."""
     ordered = np.sort(shells.corners, axis=1)
     _, first, back = np.unique(ordered, axis=0, return_index=True, return_inverse=True)
     doubled = np.flatnonzero(first[back.reshape(-1)] != np.arange(len(ordered)))
     if len(doubled):
         one, other = shells.ids[first[back.reshape(-1)[doubled[0]]]], shells.ids[doubled[0]]
-        raise FileError(path, None, f"elements {one} and {other} have the same nodes; remove one of them")
+        raise shells.mesh.error(f"elements {one} and {other} have the same nodes; remove one of them")
 
 
 def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -184,7 +177,7 @@ def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[A
     return np.stack([corners[element, place], corners[element, after]], axis=1), element, place
 
 
-def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
+def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
     """Let all elements of a connected surface list their corners counterclockwise as seen from outside."""
     nodes, element, _ = _edges(shells.corners)
     keys, edge, count = np.unique(np.sort(nodes, axis=1), axis=0, return_inverse=True, return_counts=True)
@@ -196,15 +189,13 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
         message = (
             f"elements {three} share the edge of the nodes {ends}; walls that meet in a T, such as ribs, are not read"
         )
-        raise FileError(path, None, message)
+        raise shells.mesh.error(message)
     order = np.argsort(edge, kind="stable")
     pairs = order[np.repeat(count == 2, count)].reshape(-1, 2)
     same = (nodes[pairs[:, 0]] == nodes[pairs[:, 1]]).all(axis=1)
     flip, piece = _consistent(len(shells.corners), element[pairs], same)
-    _check_pieces(path, shells, piece)
-    _note_open_edges(
-        shells, keys[count == 1], element[np.argsort(edge, kind="stable")][np.repeat(count == 1, count)], notes
-    )
+    _check_pieces(shells, piece)
+    _note_open_edges(shells, keys[count == 1], element[order][np.repeat(count == 1, count)])
     area = _area_vectors(shells) * np.where(flip, -1.0, 1.0)[:, None]
     centre = _centres(shells)
     size = np.linalg.norm(area, axis=1)
@@ -222,12 +213,12 @@ def _turn_outward(path: str, shells: Shells, face: NDArray[Any], notes: list[str
         return
     shells.corners[flip] = _reversed(shells.corners[flip])
     parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
-    notes.append(
+    shells.mesh.notes.append(
         f"the normals of {parts} elements point inward and are turned, element {shells.ids[flip][0]} the first"
     )
 
 
-def _check_pieces(path: str, shells: Shells, piece: NDArray[Any]) -> None:
+def _check_pieces(shells: Shells, piece: NDArray[Any]) -> None:
     """Refuse a mesh in pieces, such as the inner and the outer side of walls, or parts whose seams are not closed."""
     sizes = np.bincount(piece)
     if len(sizes) == 1:
@@ -244,16 +235,16 @@ def _check_pieces(path: str, shells: Shells, piece: NDArray[Any]) -> None:
         f" smallest are {away:.3g} from the others, in the unit of the file: merge the nodes of seams, and mesh a wall"
         " once, on its middle surface"
     )
-    raise FileError(path, None, message)
+    raise shells.mesh.error(message)
 
 
-def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any], notes: list[str]) -> None:
+def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any]) -> None:
     """Note a hole or a slit: edges of one element alone."""
     if not len(edges):
         return
     ends = shells.points[edges]
     length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
-    notes.append(
+    shells.mesh.notes.append(
         f"the surface is open, as at a hole or a slit: along {length:.3g}, in the unit of the file, elements such as"
         f" {shells.ids[element[0]]} have no neighbour at an edge"
     )
@@ -300,7 +291,7 @@ def _centres(shells: Shells) -> NDArray[Any]:
     return np.where(there, shells.points[shells.corners], 0.0).sum(axis=1) / there.sum(axis=1)
 
 
-def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None:
+def _cut_bad_quadrilaterals(shells: Shells) -> None:
     """Cut quadrilaterals with an angle of nearly 180 degrees or more into two triangles; refuse what has no area."""
     corners = shells.corners
     length = float(np.ptp(shells.points, axis=0).max())
@@ -326,7 +317,7 @@ def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None
             f"element {shells.ids[row]} is inverted or degenerate: its nodes {nodes} must be in order round it and"
             " enclose an area; correct or refine the mesh there"
         )
-        raise FileError(path, None, message)
+        raise shells.mesh.error(message)
     cut = quads[bad]
     if not len(cut):
         return
@@ -339,12 +330,12 @@ def _cut_bad_quadrilaterals(path: str, shells: Shells, notes: list[str]) -> None
     shells.keep(np.concatenate([np.flatnonzero(kept), cut, cut]))
     whole = len(shells.corners) - 2 * len(cut)
     shells.corners[whole:] = np.concatenate([np.stack([a, b, c, none], axis=1), np.stack([a, c, d, none], axis=1)])
-    notes.append(
+    shells.mesh.notes.append(
         f"quadrilaterals with an angle of nearly 180 degrees are cut into triangles: {len(cut)}, such as {some}"
     )
 
 
-def _split(shells: Shells, notes: list[str]) -> None:
+def _split(shells: Shells) -> None:
     """Split triangles into three quadrilaterals at the middle of their edges, and quadrilaterals between them.
 
     A quadrilateral with such a node on an edge gets one on another edge too, and so on to the next triangle: so each is
@@ -402,7 +393,7 @@ def _split(shells: Shells, notes: list[str]) -> None:
     text = f"{int(triangles.sum())} triangles are split into three quadrilaterals each"
     if split:
         text += f", and {split} quadrilaterals between them into two to four"
-    notes.append(text)
+    shells.mesh.notes.append(text)
 
 
 def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[Any]:

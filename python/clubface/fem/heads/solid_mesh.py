@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import FileError
 from clubface.fem.geometry import (
     EDGES,
     HEXAHEDRON_SIDES,
@@ -24,7 +23,7 @@ from clubface.fem.geometry import (
     sums_at_nodes,
     tetrahedron_volumes,
 )  # fmt: skip
-from clubface.fem.heads.mesh_repair import MERGED, coincident
+from clubface.fem.heads.mesh_repair import merged
 from clubface.fem.heads.meshed import Bond, SolidPart
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import SOLIDS, Mesh
@@ -43,10 +42,8 @@ class Solids:
 
     Attributes
     ----------
-    points
-        Places of nodes, in the unit of the file, shape (n, 3).
-    node_ids
-        Their numbers in the file; 0 for one that was added.
+    points, node_ids
+        Places of nodes, in the unit of the file, shape (n, 3), and their numbers there; 0 for one that was added.
     parts
         Elements by group.
     ids
@@ -70,12 +67,7 @@ class Solids:
 
 
 def solids_of_mesh(
-    mesh: Mesh,
-    of_group: NDArray[Any],
-    names: Sequence[str],
-    metals: Sequence[Metal],
-    bonds: Sequence[Bond],
-    notes: list[str],
+    mesh: Mesh, of_group: NDArray[Any], names: Sequence[str], metals: Sequence[Metal], bonds: Sequence[Bond]
 ) -> Solids:
     """Return the solid elements of a mesh, oriented, with their seams closed but for those of bonds.
 
@@ -89,8 +81,6 @@ def solids_of_mesh(
         Of the groups.
     bonds
         Parts whose nodes stay apart from those of others.
-    notes
-        Sentences on what was changed are added to them.
 
     Raises
     ------
@@ -101,24 +91,28 @@ def solids_of_mesh(
     _check_kinds(mesh, counts)
     corners = mesh.corners.copy()
     apart = np.isin(of_group, [names.index(bond.part) for bond in bonds]) * (1 + of_group)
-    _merge_nodes(mesh, corners, np.stack([counts, apart], axis=1), notes)
-    tetrahedra, hexahedra = corners[counts == 4, :4], corners[counts == 8]
-    _turn_outward(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra, mesh.ids[counts == 8], notes)
-    _note_sliver(mesh, tetrahedra, mesh.ids[counts == 4], notes)
-    _check_shared(mesh, tetrahedra, mesh.ids[counts == 4], hexahedra)
-    points, tetrahedra = _with_middles(mesh.points, tetrahedra)
+    _merge_nodes(mesh, corners, np.stack([counts, apart], axis=1))
+    tetrahedra, hexahedra, ids = corners[counts == 4, :4], corners[counts == 8], mesh.ids[counts == 4]
+    _turn_outward(mesh, tetrahedra, ids, hexahedra, mesh.ids[counts == 8])
+    _note_sliver(mesh, tetrahedra, ids)
+    _check_shared(mesh, tetrahedra, ids, hexahedra)
+    # Nodes in the middle of the edges of tetrahedra.
+    edges, places = np.unique(np.sort(tetrahedra[:, EDGES].reshape(-1, 2), axis=1), axis=0, return_inverse=True)
+    tetrahedra = np.concatenate([tetrahedra, len(mesh.points) + places.reshape(-1, len(EDGES))], axis=1)
+    points = np.concatenate([mesh.points, mesh.points[edges].mean(axis=1)])
     node_ids = np.concatenate([mesh.node_ids, np.zeros(len(points) - len(mesh.points), np.int64)])
     used, places = np.unique(np.concatenate([hexahedra.ravel(), tetrahedra.ravel()]), return_inverse=True)
     hexahedra, tetrahedra = (
         each.reshape(-1, width) for each, width in zip(np.split(places.ravel(), [hexahedra.size]), (8, 10), strict=True)
     )
-    parts, ids = [], [np.zeros(0, np.int64)]
-    for kind in (8, 4):
-        ids += [mesh.ids[(counts == kind) & (of_group == number)] for number in range(len(names))]
-    for number, (name, metal) in enumerate(zip(names, metals, strict=True)):
-        own = [elements[of_group[counts == kind] == number] for elements, kind in ((hexahedra, 8), (tetrahedra, 4))]
-        parts.append(SolidPart(name=name, metal=metal, hexahedra=own[0], tetrahedra=own[1]))
-    return Solids(points=points[used], node_ids=node_ids[used], parts=tuple(parts), ids=np.concatenate(ids))
+    parts = tuple(
+        SolidPart(name=name, metal=metal, hexahedra=hexahedra[of_group[counts == 8] == number],
+                  tetrahedra=tetrahedra[of_group[counts == 4] == number])
+        for number, (name, metal) in enumerate(zip(names, metals, strict=True))
+    )  # fmt: skip
+    # Of all parts the hexahedra, then the tetrahedra.
+    order = np.lexsort((of_group, counts == 4))
+    return Solids(points=points[used], node_ids=node_ids[used], parts=parts, ids=mesh.ids[order])
 
 
 def _check_kinds(mesh: Mesh, counts: NDArray[Any]) -> None:
@@ -130,33 +124,27 @@ def _check_kinds(mesh: Mesh, counts: NDArray[Any]) -> None:
         message = (
             f"{listed}, such as element {first}: a solid head has tetrahedra or hexahedra; mesh it with one of them"
         )
-        raise FileError(mesh.path, None, message)
+        raise mesh.error(message)
 
 
-def _merge_nodes(mesh: Mesh, corners: NDArray[Any], kinds: NDArray[Any], notes: list[str]) -> None:
+def _merge_nodes(mesh: Mesh, corners: NDArray[Any], kinds: NDArray[Any]) -> None:
     """Make one of nodes at one place, where elements of the same kind have them; refuse elements that lose an edge."""
-    merged = 0
+    gone = 0
     for kind in np.unique(kinds, axis=0):
         rows = (kinds == kind).all(axis=1)
-        own = corners[rows]
-        used = np.unique(own[own >= 0])
-        near = MERGED * float(np.ptp(mesh.points[used], axis=0).max())
-        root = coincident(mesh.points[used], near)
-        merged += int((root != np.arange(len(root))).sum())
-        to = np.arange(len(mesh.points))
-        to[used] = used[root]
-        corners[rows] = np.where(own >= 0, to[own], -1)
-    if merged:
-        notes.append(f"{merged} nodes at the place of another are merged with it")
+        corners[rows], count, _ = merged(mesh.points, corners[rows])
+        gone += count
+    if gone:
+        mesh.notes.append(f"{gone} nodes at the place of another are merged with it")
     ordered = np.sort(corners, axis=1)
     doubled = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
     if doubled.any():
         element = mesh.ids[int(np.argmax(doubled))]
-        raise FileError(mesh.path, None, f"element {element} is degenerate: it has two nodes at one place")
+        raise mesh.error(f"element {element} is degenerate: it has two nodes at one place")
 
 
 def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray[Any], hexahedra: NDArray[Any],
-                  hexahedron_ids: NDArray[Any], notes: list[str]) -> None:  # fmt: skip
+                  hexahedron_ids: NDArray[Any]) -> None:  # fmt: skip
     """Turn elements whose nodes are listed the other way round; refuse flat ones."""
     volumes = tetrahedron_volumes(mesh.points, tetrahedra)
     inside = volumes < 0.0
@@ -165,14 +153,14 @@ def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray
     hexahedra[size < 0.0] = hexahedra[size < 0.0][:, TOP_FIRST]
     turned = int(inside.sum()) + int((size < 0.0).sum())
     if turned:
-        notes.append(f"{turned} elements list their nodes the other way round, which is turned")
+        mesh.notes.append(f"{turned} elements list their nodes the other way round, which is turned")
     for value, ids in ((volumes, tetrahedron_ids), (size, hexahedron_ids)):
         if len(value) and np.abs(value).min() <= 1e-9 * np.median(np.abs(value)):
             flattest = ids[int(np.abs(value).argmin())]
-            raise FileError(mesh.path, None, f"element {flattest} is flat: it has no volume")
+            raise mesh.error(f"element {flattest} is flat: it has no volume")
 
 
-def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], notes: list[str]) -> None:
+def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any]) -> None:
     """Note the flattest tetrahedron if a run has many more steps for it."""
     if not len(tetrahedra):
         return
@@ -184,7 +172,7 @@ def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], notes:
     flattest = int(height.argmin())
     slower = float(np.median(height) / height[flattest])
     if slower > SLIVER:
-        notes.append(
+        mesh.notes.append(
             f"element {ids[flattest]} is {slower:.0f} times flatter than most, and a run takes about as many times"
             " longer for it; mesh the head without slivers"
         )
@@ -205,15 +193,7 @@ def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexah
                 f"element {element}, a tetrahedron, shares a side with a hexahedron: mesh both parts with one kind, or"
                 " give each part nodes of its own and join the two under [[bonds]]"
             )
-            raise FileError(mesh.path, None, message)
-
-
-def _with_middles(points: NDArray[Any], corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return points and tetrahedra with nodes in the middle of their edges."""
-    ends = np.sort(corners[:, EDGES].reshape(-1, 2), axis=1)
-    edges, places = np.unique(ends, axis=0, return_inverse=True)
-    middles = len(points) + places.reshape(-1, len(EDGES))
-    return np.concatenate([points, points[edges].mean(axis=1)]), np.concatenate([corners, middles], axis=1)
+            raise mesh.error(message)
 
 
 def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any], cosine: float) -> NDArray[Any]:

@@ -132,85 +132,72 @@ class MeshHead:
         """
         path = os.fspath(self.file)
         mesh = read_mesh(path)
-        head = self._solid(mesh.of_solids()) if names_solids(mesh, self.groups) else self._shells(mesh)
+        solid = names_solids(mesh, self.groups)
+        head = self._solid(mesh.solids) if solid and mesh.solids is not None else self._shells(mesh)
         for note in mesh.notes:
             warn_once(f"{path}: {note}", MeshWarning)
         return head
 
     def _shells(self, mesh: Mesh) -> ShellHead:
         """Return the head of shells."""
-        notes = mesh.notes
         if self.bonds:
             raise InputError("bonds", [bond.part for bond in self.bonds], "none: shells are joined by shared nodes")
-        of_group = assign(mesh, self.groups, notes)
-        mesh.thickness, metals = walls(mesh, self.groups, of_group, self.unit, notes)
-        shells = repaired(mesh, of_group, np.array([group.face for group in self.groups]), notes)
+        of_group, is_face = assign(mesh, self.groups), np.array([group.face for group in self.groups])
+        mesh.thickness, metals = walls(mesh, self.groups, of_group, self.unit)
+        shells = repaired(mesh, of_group, is_face)
         nodes = self._placed(shells.points)
         masses, at_nodes = self._masses(mesh, nodes)
-        face = np.array([group.face for group in self.groups])[shells.group]
+        face = is_face[shells.group]
         groups = [np.unique(shells.corners[shells.group == place]) for place in range(len(self.groups))]
         wall = float(shells.thickness[face].max())
-        self._check_frame(nodes, shells.corners[face], wall, shells.node_ids != 0, groups, masses, notes)
-        self._note_rest_of_face(nodes, shells, face, notes)
-        parts = self._parts(nodes, shells, metals, notes)
+        self._check_frame(mesh, nodes, shells.corners[face], wall, shells.node_ids != 0, groups, masses)
+        self._note_rest_of_face(nodes, shells, face)
+        parts = self._parts(nodes, shells, metals)
         face = np.unique(shells.corners[np.repeat([part.face for part in parts], [part.elements for part in parts])])
-        carried = spread(masses, nodes, _metal_at_nodes(nodes, shells, metals) + at_nodes, face)
-        if (note := note_of(carried)) is not None:
-            notes.append(note)
+        area = np.linalg.norm(area_vectors(nodes, shells.corners), axis=1)
+        weights = area * np.array([metal.density for metal in metals])[shells.group] * shells.thickness
+        metal = sums_at_nodes(shells.corners, 0.25 * weights, len(nodes))
         head = ShellHead(
-            name=self.name,
-            description=self.description,
-            nodes=nodes,
-            quads=shells.corners,
-            thickness=shells.thickness,
-            added=carried.added + at_nodes,
-            parts=parts,
-            loft=self.loft,
-            bulge=self.bulge,
-            roll=self.roll,
-        )
+            quads=shells.corners, thickness=shells.thickness, parts=parts,
+            **self._carrying(mesh, nodes, metal + at_nodes, at_nodes, face, masses),
+        )  # fmt: skip
         _weigh(head, shells.ids, shells.node_ids)
         return head
 
     def _solid(self, mesh: Mesh) -> SolidHead:
         """Return the head of solid elements."""
-        notes = mesh.notes
-        of_group = assign(mesh, self.groups, notes)
-        metals = metals_of(mesh, self.groups, of_group, self.unit, notes)
+        of_group = assign(mesh, self.groups)
+        metals = metals_of(mesh, self.groups, of_group, self.unit)
         names = [group.name for group in self.groups]
-        solids = solids_of_mesh(mesh, of_group, names, metals, self.bonds, notes)
+        solids = solids_of_mesh(mesh, of_group, names, metals, self.bonds)
         nodes = self._placed(solids.points)
         masses, at_nodes = self._masses(mesh, nodes)
-        normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
-        sides = np.concatenate(
-            [part.outside() for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
-        )
+        of_face = [part for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
         # Between two parts of the face there is no outside.
-        face = facing_sides(nodes, unshared_sides(sides, 4), normal, FACE_COSINE)
+        outside = unshared_sides(np.concatenate([part.outside() for part in of_face]), 4)
+        normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
+        face = facing_sides(nodes, outside, normal, FACE_COSINE)
         if not len(face):
             allowed = "a group whose outside faces the ball, within 45 deg of the normal of the loft"
-            raise InputError("face", ", ".join(group.name for group in self.groups if group.face), allowed)
+            raise InputError("face", ", ".join(part.name for part in of_face), allowed)
         groups = [np.unique(np.concatenate([part.hexahedra.ravel(), part.tetrahedra.ravel()])) for part in solids.parts]
-        self._check_frame(nodes, face, 0.0, solids.node_ids != 0, groups, masses, notes)
+        self._check_frame(mesh, nodes, face, 0.0, solids.node_ids != 0, groups, masses)
         metal = solids.metal_at_nodes(units.parse(f"1 {self.unit}", "length"))
-        carried = spread(masses, nodes, metal + at_nodes, np.unique(face))
-        if (note := note_of(carried, negligible=1e-2)) is not None:
-            notes.append(note)
         head = SolidHead(
-            name=self.name,
-            description=self.description,
-            nodes=nodes,
-            parts=solids.parts,
-            face=face,
-            added=carried.added + at_nodes,
-            loft=self.loft,
-            bulge=self.bulge,
-            roll=self.roll,
-            bonds=self.bonds,
-            element=self.element,
-        )
+            parts=solids.parts, face=face, bonds=self.bonds, element=self.element,
+            **self._carrying(mesh, nodes, metal + at_nodes, at_nodes, np.unique(face), masses, negligible=1e-2),
+        )  # fmt: skip
         _weigh(head, solids.ids, solids.node_ids)
         return head
+
+    def _carrying(self, mesh: Mesh, nodes: NDArray[Any], metal: NDArray[Any], at_nodes: NDArray[Any],
+                  face: NDArray[Any], masses: Mapping[str, Place], **negligible: float) -> dict[str, Any]:  # fmt: skip
+        """Return what heads of both kinds have: name, shape, nodes, and the masses that these carry."""
+        carried = spread(masses, nodes, metal, face)
+        if (note := note_of(carried, **negligible)) is not None:
+            mesh.notes.append(note)
+        own = {name: getattr(self, name) for name in ("name", "description", "loft", "bulge", "roll")}
+        return own | {"nodes": nodes, "added": carried.added + at_nodes}
 
     def _placed(self, points: NDArray[Any]) -> NDArray[Any]:
         """Return points of the file as seen from the face centre [m]."""
@@ -225,7 +212,7 @@ class MeshHead:
         """Return the masses at places, those of the mesh among them, and what stands on nodes of the mesh [kg]."""
         size = units.parse(f"1 {self.unit}", "length")
         masses, at_nodes = dict(self.masses), np.zeros(len(nodes))
-        for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit, mesh.notes), 1):
+        for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit), 1):
             place = np.array([x, y, z]) * size - self._centre(size)
             away = np.linalg.norm(nodes - place, axis=1)
             if away.min() <= AT_NODE:
@@ -234,9 +221,7 @@ class MeshHead:
                 masses[f"point mass {number} of the mesh"] = (float(place[0]), float(place[1]), float(place[2]), mass)
         return masses, at_nodes
 
-    def _parts(
-        self, nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal], notes: list[str]
-    ) -> tuple[Part, ...]:
+    def _parts(self, nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> tuple[Part, ...]:
         """Sort the shells by part and return the parts: a face group's elements that are turned away are one by itself.
 
         A group of the face may wrap round its edge, as a cup does, and the whole head of a file without sets is one.
@@ -256,7 +241,7 @@ class MeshHead:
                 if count:
                     parts.append(Part(name, count, metal, face))
                 if count and name != group.name:
-                    notes.append(
+                    shells.mesh.notes.append(
                         f"{count} elements of {group.name} are turned away from the ball by more than 45 deg and are"
                         " no part of the face that it may touch"
                     )
@@ -282,13 +267,13 @@ class MeshHead:
 
     def _check_frame(
         self,
+        mesh: Mesh,
         nodes: NDArray[Any],
         sides: NDArray[Any],
         wall: float,
         drawn: NDArray[Any],
         groups: Sequence[NDArray[Any]],
         masses: Mapping[str, Place],
-        notes: list[str],
     ) -> None:
         """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says.
 
@@ -305,8 +290,8 @@ class MeshHead:
         parts = {group.name: nodes[own] for group, own in zip(self.groups, groups, strict=True)}
         parts |= {name: np.array([place[:3]]) for name, place in masses.items()}
         check_frame(
-            nodes, sides, drawn=drawn, file=os.path.basename(os.fspath(self.file)), loft=self.loft, bulge=self.bulge,
-            roll=self.roll, wall=wall, centre=shown, parts=parts, notes=notes,
+            mesh, nodes, sides, drawn=drawn, loft=self.loft, bulge=self.bulge, roll=self.roll, wall=wall, centre=shown,
+            parts=parts,
         )  # fmt: skip
 
     def _facing(self, nodes: NDArray[Any], shells: Shells) -> NDArray[Any]:
@@ -314,13 +299,13 @@ class MeshHead:
         normal = area_vectors(nodes, shells.corners)
         return normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
 
-    def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any], notes: list[str]) -> None:
+    def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any]) -> None:
         """Note groups that the ball reaches in a strike at the face centre although they are no part of the face."""
         away = np.linalg.norm(nodes[shells.corners].mean(axis=1), axis=1)
         rest = ~face & (self._facing(nodes, shells) > FLUSH_COSINE) & (away < REACHED)
         for place in np.unique(shells.group[rest]):
             own = rest & (shells.group == place)
-            notes.append(
+            shells.mesh.notes.append(
                 f"{int(own.sum())} elements of {self.groups[place].name} continue the face within"
                 f" {units.show(REACHED, 'mm')} of the face centre, the nearest"
                 f" {units.fixed(float(away[own].min()), 'mm', 1)} from it, and are no part of the face, at whose edge"
@@ -359,33 +344,18 @@ def text(
     return "".join([*lines, own])
 
 
-def _metal_at_nodes(nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> NDArray[Any]:
-    """Return the mass of metal at each node [kg]."""
-    area = np.linalg.norm(area_vectors(nodes, shells.corners), axis=1)
-    density = np.array([metal.density for metal in metals])[shells.group]
-    return sums_at_nodes(shells.corners, 0.25 * area * density * shells.thickness, len(nodes))
-
-
 def _weigh(head: MeshedHead, ids: NDArray[Any], node_ids: NDArray[Any]) -> None:
     """Weigh a head, for which the core checks its mesh; elements and nodes go by the numbers of the file in errors."""
     try:
         _ = head.club
     except InputError as error:
 
-        def element(match: re.Match[str]) -> str:
-            return f"element {ids[int(match[1])]}{match[2]}"
+        def renumbered(pattern: str, numbers: NDArray[Any], text: str) -> str:
+            return re.sub(pattern, lambda match: re.sub(r"\d+", lambda n: str(numbers[int(n[0])]), match[0]), text)
 
-        def node(match: re.Match[str]) -> str:
-            return f"node {node_ids[int(match[1])]}"
-
-        error.parameter = re.sub(r"^element (\d+)( of )", element, error.parameter)
-        error.parameter = re.sub(
-            r"(?<=elements )(\d+) and (\d+)",
-            lambda match: " and ".join(str(ids[int(each)]) for each in match.groups()),
-            error.parameter,
-        )
+        error.parameter = renumbered(r"^element \d+(?= of )|elements \d+ and \d+", ids, error.parameter)
         if isinstance(error.value, str):
-            error.value = type(error.value)(re.sub(r"^node (\d+)", node, error.value))
+            error.value = type(error.value)(renumbered(r"^node \d+", node_ids, error.value))
         raise
 
 

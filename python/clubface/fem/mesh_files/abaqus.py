@@ -44,33 +44,29 @@ class _Part:
     masses: dict[str, float] = field(default_factory=dict)
 
 
-def read(path: str) -> Mesh:
-    """Read a mesh of Abaqus; sets are its element sets, and parts under their names."""
-    return _File(path).read()
+class AbaqusReader(MeshBuilder):
+    """Reads a mesh of Abaqus; sets are its element sets, and parts under their names."""
 
-
-class _File:
     def __init__(self, path: str) -> None:
-        self.builder = MeshBuilder(path)
+        super().__init__(path)
         self.parts: dict[str, _Part] = {"": _Part()}
         self.instances: list[tuple[str, str, list[tuple[int, list[str]]]]] = []
         self.part = self.parts[""]
         self.assembly_sets: list[tuple[str, str, list[int | str]]] = []
         self.materials: dict[str, Wall] = {}
         self.labels: dict[str, str] = {}
-        self.offsets = 0
 
     def read(self) -> Mesh:
+        """Return the mesh."""
         material = Wall()
         in_assembly = False
         instance = ""
         for keyword in self._keywords():
             name, options = keyword.name, keyword.options
             if name == "INCLUDE" or "INPUT" in options:
-                raise self.builder.includes(keyword.line)
+                raise self.includes(keyword.line)
             if name in GENERATORS:
-                message = f"*{name} is not read; write every node and element where it stands"
-                raise self.builder.error(keyword.line, message)
+                raise self.error(keyword.line, f"*{name} is not read; write every node and element where it stands")
             if name == "PART":
                 part = options.get("NAME", "")
                 self.part = self.parts.setdefault(part.upper(), _Part(part))
@@ -92,23 +88,22 @@ class _File:
                 self._section(keyword)
             elif name == "MASS" and keyword.rows:
                 line, cells = keyword.rows[0]
-                self.part.masses[self._label(options.get("ELSET", ""))] = self.builder.value(line, cells[0], "mass")
+                self.part.masses[self._label(options.get("ELSET", ""))] = self.value(line, cells[0], "mass")
             elif name == "NONSTRUCTURAL MASS":
-                self.builder.left_out["cards of masses spread over walls (*NONSTRUCTURAL MASS)"] += 1
+                self.left_out["cards of masses spread over walls (*NONSTRUCTURAL MASS)"] += 1
             elif name == "MATERIAL":
                 material = self.materials.setdefault(options.get("NAME", "").upper(), Wall())
                 material.source = f"*MATERIAL {options.get('NAME', '')}"
             elif name == "ELASTIC" and keyword.rows and options.get("TYPE", "ISOTROPIC").upper() == "ISOTROPIC":
                 line, cells = keyword.rows[0]
-                material.youngs = self.builder.value(line, cells[0], "Young's modulus")
+                material.youngs = self.value(line, cells[0], "Young's modulus")
                 if len(cells) > 1 and cells[1]:
-                    material.poisson = self.builder.value(line, cells[1], "Poisson's ratio")
+                    material.poisson = self.value(line, cells[1], "Poisson's ratio")
             elif name == "DENSITY" and keyword.rows:
                 line, cells = keyword.rows[0]
-                material.density = self.builder.value(line, cells[0], "density")
+                material.density = self.value(line, cells[0], "density")
         self._place_parts()
-        self.builder.note_offsets(self.offsets, "sections")
-        return self.builder.mesh()
+        return self.mesh()
 
     def _label(self, name: str) -> str:
         """Return the name of a set as it is first written: capitals make no difference."""
@@ -117,7 +112,7 @@ class _File:
     def _keywords(self) -> Iterator[_Keyword]:
         keyword: _Keyword | None = None
         pending = ""
-        for number, text in enumerate(read_text(self.builder.path), 1):
+        for number, text in enumerate(read_text(self.path), 1):
             text = text.strip()
             if text.startswith("**") or not text:
                 continue
@@ -139,11 +134,11 @@ class _File:
 
     def _nodes(self, keyword: _Keyword) -> None:
         if keyword.options.get("SYSTEM", "R").upper() != "R":
-            raise self.builder.error(keyword.line, "nodes are read in Cartesian coordinates alone (SYSTEM=R)")
+            raise self.error(keyword.line, "nodes are read in Cartesian coordinates alone (SYSTEM=R)")
         for line, cells in keyword.rows:
             if len(cells) < 4:
-                raise self.builder.error(line, f"this node has {len(cells)} cells, not a number and three coordinates")
-            number = self.builder.number(line, cells[0])
+                raise self.error(line, f"this node has {len(cells)} cells, not a number and three coordinates")
+            number = self.number(line, cells[0])
             self.part.nodes.append((line, number, cells[1:4]))
 
     def _elements(self, keyword: _Keyword) -> None:
@@ -152,24 +147,23 @@ class _File:
         count = int(shell["nodes"] or 6) if shell else int(solid[1]) if solid else 0
         if not shell and not solid and not LINE.match(kind):
             message = f"elements of the type {shortened(kind, 40) or '(none)'} are not read; write S3, S4 or S4R"
-            raise self.builder.error(keyword.line, message)
+            raise self.error(keyword.line, message)
         row: list[str] = []
         for line, cells in keyword.rows:
             row += [cell for cell in cells if cell]
             if cells[-1] == "" and len(row) < count + 1:
                 continue  # the nodes go on in the next line
             if shell or solid:
-                numbers = [self.builder.number(line, cell) for cell in row]
+                numbers = [self.number(line, cell) for cell in row]
                 if len(numbers) != count + 1:
-                    message = f"this element of type {kind} has {len(numbers) - 1} nodes, not {count}"
-                    raise self.builder.error(line, message)
+                    raise self.error(line, f"this element of type {kind} has {len(numbers) - 1} nodes, not {count}")
                 (self.part.elements if shell else self.part.solids).append((line, numbers[0], tuple(numbers[1:])))
                 if name:
                     self.part.sets.setdefault(name, []).append(numbers[0])
             elif kind == "MASS" and len(row) > 1 and row[1].isdecimal():
-                self.part.points.append((line, self.builder.number(line, row[1]), name))
+                self.part.points.append((line, self.number(line, row[1]), name))
             elif cells[-1] != "":
-                self.builder.left_out[f"of type {kind}"] += 1
+                self.left_out[f"of type {kind}"] += 1
             row = [] if shell or solid or cells[-1] != "" else row
 
     def _set(self, keyword: _Keyword, in_assembly: bool) -> None:
@@ -177,10 +171,10 @@ class _File:
         members: list[int | str] = []
         for line, cells in keyword.rows:
             if "GENERATE" in keyword.options:
-                first, last, *step = (self.builder.number(line, cell, "an element") for cell in cells if cell)
+                first, last, *step = (self.number(line, cell, "an element") for cell in cells if cell)
                 by = step[0] if step else 1
                 if by < 1 or (last - first) // by > LARGEST_RANGE:
-                    raise self.builder.error(line, "this range of elements has no sensible step")
+                    raise self.error(line, "this range of elements has no sensible step")
                 members += range(first, last + 1, by)
             else:
                 members += [int(cell) if cell.isdecimal() and len(cell) < 11 else cell for cell in cells if cell]
@@ -195,9 +189,10 @@ class _File:
         if keyword.rows and walled and "COMPOSITE" not in keyword.options:
             line, cells = keyword.rows[0]
             if cells[0]:
-                thickness = self.builder.value(line, cells[0], "thickness")
+                thickness = self.value(line, cells[0], "thickness")
         material = keyword.options.get("MATERIAL", "").upper()
-        self.offsets += keyword.options.get("OFFSET", "0").upper().strip("0.+- ") not in ("", "MID", "SMID", "MIDDLE")
+        if keyword.options.get("OFFSET", "0").upper().strip("0.+- ") not in ("", "MID", "SMID", "MIDDLE"):
+            self.offsets["sections"] += 1
         name = self._label(keyword.options.get("ELSET", ""))
         self.part.sections.append((name, material, thickness, f"*{keyword.name}"))
 
@@ -210,7 +205,7 @@ class _File:
             self._add(f"{number}:{name}", self.parts.get(part, _Part()), moved, name)
         for name, instance, members in self.assembly_sets:
             keys = [f"{number}:{each}" for number, (each, *_) in enumerate(placed) if each.upper() == instance.upper()]
-            self.builder.add_to_set(name, [(key, member) for key in keys for member in members])
+            self.add_to_set(name, [(key, member) for key in keys for member in members])
 
     def _add(self, key: str, part: _Part, moved: Callable[[Sequence[float]], Sequence[float]], name: str = "") -> None:
         """Add a part, as an instance of this name.
@@ -225,34 +220,34 @@ class _File:
             return f"{name or part.name}.{of_set}" if of_set in elsewhere else of_set
 
         for line, number, cells in part.nodes:
-            place = [self.builder.coordinate(line, cell) for cell in cells]
-            self.builder.add_node(line, (key, number), number, moved(place))
+            place = [self.coordinate(line, cell) for cell in cells]
+            self.add_node(line, (key, number), number, moved(place))
         sets = [each for each in dict.fromkeys((name, part.name)) if each]
         for line, number, nodes in part.elements:
             corners = [(key, node) for node in nodes]
-            self.builder.add_shell(line, number, corners, sets, key=(key, number))
+            self.add_shell(line, number, corners, sets, key=(key, number))
         for line, number, nodes in part.solids:
-            self.builder.add_solid(line, number, [(key, node) for node in nodes], sets, key=(key, number))
+            self.add_solid(line, number, [(key, node) for node in nodes], sets, key=(key, number))
         names = {each.upper(): each for each in part.sets}
         for each in part.sets:
             numbers = _members(each, part, names, frozenset())
-            self.builder.add_to_set(known_as(each), ((key, number) for number in numbers))
+            self.add_to_set(known_as(each), ((key, number) for number in numbers))
         for of_set, metal, thickness, what in part.sections:
             known = known_as(of_set)
             material = f"*MATERIAL {metal}" if metal else ""
-            self.builder.add_wall(known, f"{what} {known}", thickness, self.materials.get(metal), material)
+            self.add_wall(known, f"{what} {known}", thickness, self.materials.get(metal), material)
         for line, node, of_set in part.points:
             if of_set not in part.masses:
-                raise self.builder.error(line, f"no *MASS says how much the elements of {of_set or 'no set'} weigh")
-            self.builder.add_mass(line, (key, node), part.masses[of_set])
+                raise self.error(line, f"no *MASS says how much the elements of {of_set or 'no set'} weigh")
+            self.add_mass(line, (key, node), part.masses[of_set])
 
     def _motion(self, rows: list[tuple[int, list[str]]]) -> Callable[[Sequence[float]], Sequence[float]]:
         """Return how an instance moves its part: a translation, then a turn about the line from a point to another."""
-        numbers = [[self.builder.value(line, cell or "0", "number") for cell in cells] for line, cells in rows[:2]]
+        numbers = [[self.value(line, cell or "0", "number") for cell in cells] for line, cells in rows[:2]]
         shift = [*numbers[0], 0.0, 0.0, 0.0][:3]
         turn = numbers[1] if len(numbers) > 1 else []
         if turn and len(turn) != 7:
-            raise self.builder.error(rows[1][0], "a turn of an instance is two points and an angle")
+            raise self.error(rows[1][0], "a turn of an instance is two points and an angle")
 
         def moved(place: Sequence[float]) -> Sequence[float]:
             place = [a + b for a, b in zip(place, shift, strict=True)]

@@ -83,29 +83,32 @@ class _ByteRows:
 _Rows = _TextRows | _ByteRows
 
 
-class _File:
-    """The state of one file that is read."""
+class GmshReader(MeshBuilder):
+    """Reads a mesh of Gmsh; sets are its physical groups, also under their numbers."""
 
     def __init__(self, path: str) -> None:
-        self.builder = MeshBuilder(path)
+        super().__init__(path)
         self.version = 0.0
         self.names: dict[tuple[int, int], str] = {}
         self.physical: dict[int, list[int]] = {}
-        self.lines = False
 
     def read(self) -> Mesh:
-        content = read_input(self.builder.path)
+        """Return the mesh."""
+        content = read_input(self.path)
         start = content.find(b"$MeshFormat")
         header = content[start : start + 80].split(b"\n")[1].split() if start >= 0 and b"\n" in content[start:] else []
         try:
             self.version, binary = float(header[0]), header[1] == b"1"
         except (IndexError, ValueError):
-            raise FileError(self.builder.path, None, "this mesh cannot be read: $MeshFormat is missing") from None
+            raise FileError(self.path, None, "this mesh cannot be read: $MeshFormat is missing") from None
         if not 2.0 <= self.version < 3.0 and not 4.0 <= self.version < 5.0:
             message = f"version {self.version:g} of Gmsh's format is not read; write version 2 or 4"
-            raise FileError(self.builder.path, 2, message)
+            raise FileError(self.path, 2, message)
         self._binary(content) if binary else self._text(content)
-        return self._finish()
+        # The number of a surface counts where a volume has the same.
+        groups = sorted(self.names.items(), reverse=True)
+        self.aliases = {str(number): name for (dimension, number), name in groups if dimension in (2, 3)}
+        return self.mesh()
 
     def _text(self, content: bytes) -> None:
         lines = content.decode("utf-8", "replace").splitlines()
@@ -122,7 +125,7 @@ class _File:
                 start = number
         if start is not None:
             message = f"the section {shortened(lines[start], 40)} that begins in line {start + 1} does not end"
-            raise FileError(self.builder.path, None, f"this mesh cannot be read: {message}")
+            raise FileError(self.path, None, f"this mesh cannot be read: {message}")
 
     def _section(self, name: str, lines: list[str], start: int, end: int) -> None:
         if name == "$PhysicalNames":
@@ -130,9 +133,8 @@ class _File:
         elif (reader := self._reader(name)) is not None:
             if self.version < 3.0 and lines[start + 1].strip() != str(end - start - 2):
                 stated, has = shortened(lines[start + 1].strip(), 40), max(0, end - start - 2)
-                message = f"this section says that it has {stated} lines, and has {has}"
-                raise FileError(self.builder.path, start + 2, message)
-            reader(_TextRows(self.builder, lines, start + 1, end))
+                raise FileError(self.path, start + 2, f"this section says that it has {stated} lines, and has {has}")
+            reader(_TextRows(self, lines, start + 1, end))
 
     def _reader(self, name: str) -> Callable[[_Rows], None] | None:
         if name == "$Nodes":
@@ -155,7 +157,7 @@ class _File:
                 end = content.find(b"$End", at)
                 self._physical_names(content[at:end].decode("utf-8", "replace").splitlines()[2:])
             elif (reader := self._reader(name)) is not None:
-                rows = _ByteRows(self.builder, content, at + 1, order)
+                rows = _ByteRows(self, content, at + 1, order)
                 reader(rows)
                 at = rows.at - 1
             else:
@@ -178,7 +180,7 @@ class _File:
             end = rows._content.find(b"\n", rows.at)
             text = rows._content[rows.at : end].decode("latin-1")
             rows.at = end + 1
-            return self.builder.number(None, text, "rows")
+            return self.number(None, text, "rows")
         (count,) = rows.values("n")
         rows.end_row()
         return int(count)
@@ -188,7 +190,7 @@ class _File:
         for _ in range(self._count(rows)):
             number, *place = rows.values(kinds)
             rows.end_row()
-            self.builder.add_node(rows.line, int(number), int(number), place)
+            self.add_node(rows.line, int(number), int(number), place)
 
     def _elements_2(self, rows: _Rows) -> None:
         count = self._count(rows)
@@ -198,7 +200,7 @@ class _File:
                 kind, several, tags = map(int, rows.values("iii"))
                 self._check_kind(rows, kind)
                 if several < 1:
-                    raise self.builder.error(None, "a block of elements has none")
+                    raise self.error(None, "a block of elements has none")
             else:
                 several, tags, kind = 1, 0, 0
             for _ in range(several):
@@ -208,7 +210,7 @@ class _File:
                     number, kind, tags = map(int, rows.values("nnn"))
                     self._check_kind(rows, kind)
                 if not 0 <= tags <= MOST_TAGS:
-                    raise self.builder.error(rows.line, f"this element says that it has {tags} tags")
+                    raise self.error(rows.line, f"this element says that it has {tags} tags")
                 taken = rows.values("i" * tags) if tags else ()
                 nodes = rows.values("i" * NODES[kind])
                 rows.end_row()
@@ -251,7 +253,7 @@ class _File:
                 for _ in range(count):
                     number, *place = rows.values("iddd")
                     rows.end_row()
-                    self.builder.add_node(rows.line, int(number), int(number), place)
+                    self.add_node(rows.line, int(number), int(number), place)
                 continue
             numbers = []
             for _ in range(count):
@@ -260,7 +262,7 @@ class _File:
             for number in numbers:
                 place = rows.values("ddd" + more)
                 rows.end_row()
-                self.builder.add_node(rows.line, number, number, place[:3])
+                self.add_node(rows.line, number, number, place[:3])
 
     def _elements_4(self, rows: _Rows) -> None:
         for _ in range(self._blocks(rows)):
@@ -281,23 +283,12 @@ class _File:
             message = (
                 f"elements of type {kind} of Gmsh are not read; write triangles and quadrilaterals of order 1 or 2"
             )
-            raise self.builder.error(rows.line, message)
+            raise self.error(rows.line, message)
 
     def _add(self, line: int | None, kind: int, number: int, nodes: tuple[float, ...] | list[float],
              groups: list[int]) -> None:  # fmt: skip
         names = [self.names.get((2 if kind in SHELLS else 3, each), str(each)) for each in groups]
         if kind in SHELLS:
-            self.builder.add_shell(line, number, [int(each) for each in nodes], names)
+            self.add_shell(line, number, [int(each) for each in nodes], names)
         elif kind in SOLIDS:
-            self.builder.add_solid(line, number, [int(each) for each in nodes], names)
-
-    def _finish(self) -> Mesh:
-        # The number of a surface counts where a volume has the same.
-        groups = sorted(self.names.items(), reverse=True)
-        self.builder.aliases = {str(number): name for (dimension, number), name in groups if dimension in (2, 3)}
-        return self.builder.mesh()
-
-
-def read(path: str) -> Mesh:
-    """Read a mesh of Gmsh; sets are its physical groups, also under their numbers."""
-    return _File(path).read()
+            self.add_solid(line, number, [int(each) for each in nodes], names)

@@ -30,34 +30,31 @@ class _Row(NamedTuple):
         return cells
 
 
-def read(path: str) -> Mesh:
-    """Read the elements of a keyword deck."""
-    return _File(path).read()
+class DeckReader(MeshBuilder):
+    """Reads the elements of a keyword deck."""
 
-
-class _File:
     def __init__(self, path: str) -> None:
-        self.builder = MeshBuilder(path)
+        super().__init__(path)
         self.elements: list[tuple[int, int, int, list[int], float]] = []
         self.solids: list[tuple[int, int, int, list[int]]] = []
         self.parts: dict[int, tuple[str, int, int]] = {}
         self.sections: dict[int, float] = {}
         self.metals: dict[int, Wall] = {}
-        self.offsets = 0
 
     def read(self) -> Mesh:
+        """Return the mesh."""
         for line, keyword, rows in self._keywords():
             name = keyword.removesuffix("_TITLE")
             titled = name != keyword
             if name.startswith(("NODE", "ELEMENT")):
                 rows = [row for row in rows if row.text.strip()]
             if name.startswith("INCLUDE"):
-                raise self.builder.includes(line)
+                raise self.includes(line)
             if name == "NODE":
                 for row in rows:
                     number, *place = row.fields(8, 16, 16, 16)
-                    number = self.builder.number(row.line, number)
-                    self.builder.add_node(row.line, number, number, [each or "0" for each in place])
+                    number = self.number(row.line, number)
+                    self.add_node(row.line, number, number, [each or "0" for each in place])
             elif name.startswith("ELEMENT_SHELL"):
                 self._shells(name, rows)
             elif name.startswith(("ELEMENT_SOLID", "ELEMENT_TSHELL")):
@@ -65,10 +62,10 @@ class _File:
             elif name == "ELEMENT_MASS":
                 for row in rows:
                     _, node, mass = row.fields(8, 8, 16)
-                    value = self.builder.value(row.line, mass, "mass")
-                    self.builder.add_mass(row.line, self.builder.number(row.line, node), value)
+                    value = self.value(row.line, mass, "mass")
+                    self.add_mass(row.line, self.number(row.line, node), value)
             elif name.startswith("ELEMENT_"):
-                self.builder.left_out[f"lines of *{name}"] += len(rows)
+                self.left_out[f"lines of *{name}"] += len(rows)
             elif name.startswith("PART") and len(rows) > 1 and name not in ("PART_MOVE", "PART_DUPLICATE"):
                 self._parts(name, rows)
             elif name.startswith("SECTION_SHELL"):
@@ -78,12 +75,11 @@ class _File:
                 single = name.removeprefix("MAT_") in METALS[:2]
                 for row in rows[titled :: 1 + titled] if single else rows[titled : titled + 1]:
                     self._metal(row)
-        self.builder.note_offsets(self.offsets, "sections")
         return self._finish()
 
     def _keywords(self) -> Iterator[tuple[int, str, list[_Row]]]:
         line, keyword, rows = 0, "", []
-        for number, text in enumerate(read_text(self.builder.path), 1):
+        for number, text in enumerate(read_text(self.path), 1):
             if text.startswith("$"):
                 continue
             if not text.startswith("*"):
@@ -97,9 +93,7 @@ class _File:
                 or keyword.endswith(("%", "+"))
                 or words[1:2] in (["%"], ["+"])
             ):
-                raise self.builder.error(
-                    number, "decks in the long or i10 format are not read; write the standard format"
-                )
+                raise self.error(number, "decks in the long or i10 format are not read; write the standard format")
             if keyword == "END":
                 return
         yield line, keyword, _without_end(rows)
@@ -114,13 +108,13 @@ class _File:
             thickness = math.nan
             if "THICKNESS" in options and place + 1 < len(rows):
                 after = rows[place + 1]
-                own = [self.builder.value(after.line, each, "thickness") for each in after.fields(*[16] * 4) if each]
+                own = [self.value(after.line, each, "thickness") for each in after.fields(*[16] * 4) if each]
                 thickness = sum(own) / len(own) if own and all(own) else math.nan
-            numbers = [self.builder.number(row.line, each) for each in nodes if each and each != "0"]
+            numbers = [self.number(row.line, each) for each in nodes if each and each != "0"]
             if len(numbers) not in (3, 4, 6, 8):
-                raise self.builder.error(row.line, f"this element has {len(numbers)} nodes, not 3, 4, 6 or 8")
-            element = self.builder.number(row.line, number, "an element")
-            self.elements.append((row.line, element, self.builder.number(row.line, part, "a part"), numbers, thickness))
+                raise self.error(row.line, f"this element has {len(numbers)} nodes, not 3, 4, 6 or 8")
+            element = self.number(row.line, number, "an element")
+            self.elements.append((row.line, element, self.number(row.line, part, "a part"), numbers, thickness))
 
     def _solids(self, rows: list[_Row]) -> None:
         numbers: tuple[int, int] | None = None
@@ -128,15 +122,15 @@ class _File:
             number, part, *nodes = row.fields(*[8] * 10)
             if numbers is None:
                 numbers = (
-                    self.builder.number(row.line, number, "an element"),
-                    self.builder.number(row.line, part, "a part"),
+                    self.number(row.line, number, "an element"),
+                    self.number(row.line, part, "a part"),
                 )
                 # In the format of two lines the second has the nodes; the first, number and part alone.
                 if not any(nodes) or len(row.text.split()) == 2:
                     continue
             else:
                 nodes = [number, part, *nodes]
-            own = [self.builder.number(row.line, each) for each in nodes if each and each != "0"]
+            own = [self.number(row.line, each) for each in nodes if each and each != "0"]
             # Tetrahedra, wedges and pyramids are hexahedra that repeat nodes.
             self.solids.append((row.line, *numbers, list(dict.fromkeys(own))))
             numbers = None
@@ -144,7 +138,7 @@ class _File:
     def _parts(self, name: str, rows: list[_Row]) -> None:
         for place in range(0, len(rows) - 1, 2) if name == "PART" else (0,):
             number, section, metal = rows[place + 1].fields(10, 10, 10)
-            number = self.builder.number(rows[place + 1].line, number, "a part")
+            number = self.number(rows[place + 1].line, number, "a part")
             numbers = [int(each) if each.isdecimal() and len(each) < 11 else 0 for each in (section, metal)]
             self.parts[number] = (rows[place].text.strip(), numbers[0], numbers[1])
 
@@ -154,10 +148,11 @@ class _File:
             cards = rows[at : at + 2]
             number, *_, points, _, _, angles, _ = cards[0].fields(*[10] * 8)
             thickness, *_, offset = cards[1].fields(*[10] * 5)
-            self.offsets += bool(offset.strip("0.+- "))
+            if offset.strip("0.+- "):
+                self.offsets["sections"] += 1
             if thickness:
-                value = self.builder.value(cards[1].line, thickness, "thickness")
-                self.sections[self.builder.number(cards[0].line, number, "a section")] = value
+                value = self.value(cards[1].line, thickness, "thickness")
+                self.sections[self.number(cards[0].line, number, "a section")] = value
             # A composite has a card with the angles of every eight of its points.
             more = -(-int(points) // 8) if angles == "1" and points.isdecimal() else 0
             at += 2 + min(more, len(rows)) + titled
@@ -165,10 +160,10 @@ class _File:
     def _metal(self, row: _Row) -> None:
         number, *values = row.fields(10, 10, 10, 10)
         density, youngs, poisson = (
-            self.builder.value(row.line, each, what) if each else None
+            self.value(row.line, each, what) if each else None
             for each, what in zip(values, ("density", "Young's modulus", "Poisson's ratio"), strict=True)
         )
-        known = self.builder.number(row.line, number, "a material")
+        known = self.number(row.line, number, "a material")
         self.metals[known] = Wall(youngs=youngs, poisson=poisson, density=density, source=f"*MAT {known}")
 
     def _finish(self) -> Mesh:
@@ -178,18 +173,18 @@ class _File:
             for number, (title, *_) in self.parts.items()
         }
         for line, number, part, nodes, thickness in self.elements:
-            self.builder.add_shell(line, number, nodes, [names.get(part, str(part))], thickness=thickness)
+            self.add_shell(line, number, nodes, [names.get(part, str(part))], thickness=thickness)
         for line, number, part, nodes in self.solids:
-            self.builder.add_solid(line, number, nodes, [names.get(part, str(part))])
+            self.add_solid(line, number, nodes, [names.get(part, str(part))])
         for number, (_, section, metal) in self.parts.items():
             source = f"*SECTION_SHELL {section}" if section in self.sections else ""
             material = f"*MAT {metal}" if metal else ""
-            self.builder.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal), material)
-            self.builder.aliases[str(number)] = names[number]
+            self.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal), material)
+            self.aliases[str(number)] = names[number]
             # A title of clubface's own decks is that of the head and of the part: "paper: face".
             short = shortened(names[number], 200).rpartition(": ")[2]
-            self.builder.aliases.setdefault(short, names[number])
-        return self.builder.mesh()
+            self.aliases.setdefault(short, names[number])
+        return self.mesh()
 
 
 def _without_end(rows: list[_Row]) -> list[_Row]:

@@ -30,16 +30,8 @@ SOLIDS = {4: "tetrahedra", 5: "pyramids", 6: "wedges", 8: "hexahedra"}
 class Wall:
     """What cards of a file say of the elements of one set, in the units of the file; None where they say nothing.
 
-    Attributes
-    ----------
-    thickness
-        Of the wall.
-    youngs, poisson, density
-        Of its metal.
-    source
-        The cards, such as "PSHELL 1 and MAT1 7".
-    material
-        The material that they name, which may be one that is not read or not there, such as "MAT 7".
+    ``source`` names the cards, such as "PSHELL 1 and MAT1 7", and ``material`` the material that they name, which may
+    be one that is not read or not there, such as "MAT 7".
     """
 
     thickness: float | None = None
@@ -51,27 +43,8 @@ class Wall:
 
 
 @dataclass(kw_only=True)
-class Elements:
-    """Elements of a mesh file, of surfaces or solid ones.
-
-    Attributes
-    ----------
-    corners
-        Nodes of each element, as rows of the points, shape (m, 4) of surfaces or (m, 8) of solids; -1 fills up.
-    ids
-        Numbers of the elements in the file, shape (m,).
-    sets
-        Elements of each set, as rows of ``corners``, by name.
-    """
-
-    corners: NDArray[Any]
-    ids: NDArray[Any]
-    sets: dict[str, NDArray[Any]]
-
-
-@dataclass(kw_only=True)
 class Mesh:
-    """The elements of a mesh file: surfaces and solids.
+    """The elements of a mesh file: those of surfaces, or the solid ones.
 
     Attributes
     ----------
@@ -82,7 +55,7 @@ class Mesh:
     node_ids
         Their numbers in the file, shape (n,).
     corners
-        Nodes of each shell, as rows of ``points``, shape (m, 4); the last of a triangle is -1.
+        Nodes of each element, as rows of ``points``, shape (m, 4) of surfaces or (m, 8) of solids; -1 fills up.
     ids
         Numbers of the elements in the file, shape (m,).
     thickness
@@ -95,10 +68,10 @@ class Mesh:
         What cards say of the elements of a set, by its name.
     masses
         Point masses: x, y, z and mass, in the units of the file.
-    solids
-        Its solid elements.
     notes
-        What a reader did or left out, in sentences.
+        What was done or left out, in sentences.
+    solids
+        The solid elements of the file; None in the mesh of these.
     """
 
     path: str
@@ -111,17 +84,12 @@ class Mesh:
     aliases: dict[str, str]
     walls: dict[str, Wall]
     masses: list[tuple[float, float, float, float]]
-    solids: Elements
     notes: list[str]
+    solids: Mesh | None = None
 
-    def of_solids(self) -> Mesh:
-        """Return the mesh with its solid elements in place of those of surfaces."""
-        none = Elements(corners=np.zeros((0, 8), np.int64), ids=np.zeros(0, np.int64), sets={})
-        solids = self.solids
-        return replace(
-            self, corners=solids.corners, ids=solids.ids, sets=solids.sets, solids=none,
-            thickness=np.full(len(solids.ids), np.nan),
-        )  # fmt: skip
+    def error(self, message: str) -> FileError:
+        """Return an error of the file."""
+        return FileError(self.path, None, message)
 
 
 @dataclass
@@ -129,23 +97,23 @@ class _Rows:
     """Elements as they are read: line, number and nodes of each; and the rows of each set and of each key."""
 
     elements: list[tuple[int | None, int, tuple[Hashable, ...]]] = field(default_factory=list)
+    thickness: list[float] = field(default_factory=list)
     sets: dict[str, list[int]] = field(default_factory=dict)
     by_key: dict[Hashable, list[int]] = field(default_factory=dict)
     higher: int = 0
 
     def add(self, line: int | None, number: int, nodes: Sequence[Hashable], corners: int, sets: Iterable[str],
-            key: Hashable) -> int:  # fmt: skip
-        """Add an element whose corners are its first nodes; return its row."""
+            key: Hashable, thickness: float = math.nan) -> None:  # fmt: skip
+        """Add an element whose corners are its first nodes."""
         row = len(self.elements)
         self.higher += len(nodes) > corners
         self.elements.append((line, number, tuple(nodes[:corners])))
+        self.thickness.append(thickness)
         self.by_key.setdefault(number if key is None else key, []).append(row)
         for name in sets:
             self.sets.setdefault(name, []).append(row)
-        return row
 
 
-@dataclass
 class MeshBuilder:
     """Collects nodes and elements of a file in any order, and checks each where it stands.
 
@@ -153,22 +121,26 @@ class MeshBuilder:
     ----------
     path
         The file.
+    aliases, walls, notes
+        As of the mesh.
     left_out
         How many elements of a kind that no head has were left out, such as bars.
+    offsets
+        How many sections or elements do not lie at the nodes.
     """
 
-    path: str
-    left_out: Counter[str] = field(default_factory=Counter)
-    aliases: dict[str, str] = field(default_factory=dict)
-    walls: dict[str, Wall] = field(default_factory=dict)
-    notes: list[str] = field(default_factory=list)
-    _rows: dict[Hashable, int] = field(default_factory=dict)
-    _places: list[tuple[float, float, float]] = field(default_factory=list)
-    _numbers: list[int] = field(default_factory=list)
-    _shells: _Rows = field(default_factory=_Rows)
-    _solids: _Rows = field(default_factory=_Rows)
-    _thickness: dict[int, float] = field(default_factory=dict)
-    _masses: list[tuple[int | None, Hashable, tuple[float, float, float], float]] = field(default_factory=list)
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self.aliases: dict[str, str] = {}
+        self.walls: dict[str, Wall] = {}
+        self.notes: list[str] = []
+        self.left_out: Counter[str] = Counter()
+        self.offsets: Counter[str] = Counter()
+        self._row_of: dict[Hashable, int] = {}
+        self._places: list[tuple[float, float, float]] = []
+        self._numbers: list[int] = []
+        self._surface_rows, self._solid_rows = _Rows(), _Rows()
+        self._point_masses: list[tuple[int | None, Hashable, Sequence[float], float]] = []
 
     def error(self, line: int | None, message: str) -> FileError:
         """Return the error of a line."""
@@ -188,12 +160,17 @@ class MeshBuilder:
 
     def value(self, line: int | None, text: str, what: str) -> float:
         """Return a number of a card, as ``what`` is called."""
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value) or "_" in text:
+        value = _as_float(text)
+        if not math.isfinite(value):
             raise self.error(line, f"{shortened(text.strip(), 40)!r} is no {what}, a finite number")
+        return value
+
+    def coordinate(self, line: int | None, given: str | float) -> float:
+        """Return a coordinate of a node."""
+        value = _as_float(given)
+        if not abs(value) <= FARTHEST:
+            shown = shortened(str(given).strip(), 40)
+            raise self.error(line, f"{shown!r} is no coordinate of a head, a number within {FARTHEST:g}")
         return value
 
     @property
@@ -204,62 +181,31 @@ class MeshBuilder:
     def add_node(self, line: int | None, key: Hashable, number: int, place: Sequence[str | float]) -> None:
         """Add a node under a key, by which elements name it."""
         x, y, z = (self.coordinate(line, each) for each in place)
-        if (row := self._rows.get(key)) is not None:
+        if (row := self._row_of.get(key)) is not None:
             if self._places[row] != (x, y, z):
                 raise self.error(line, f"node {number} is there already, at another place")
             return
-        self._rows[key] = len(self._places)
+        self._row_of[key] = len(self._places)
         self._places.append((x, y, z))
         self._numbers.append(number)
 
-    def coordinate(self, line: int | None, given: str | float) -> float:
-        """Return a coordinate of a node."""
-        try:
-            value = float(given)
-        except ValueError:
-            value = math.nan
-        if not abs(value) <= FARTHEST or (isinstance(given, str) and "_" in given):
-            shown = shortened(str(given).strip(), 40)
-            message = f"{shown!r} is no coordinate of a head, a number within {FARTHEST:g}"
-            raise self.error(line, message)
-        return value
-
-    def add_shell(
-        self,
-        line: int | None,
-        number: int,
-        nodes: Sequence[Hashable],
-        sets: Iterable[str] = (),
-        *,
-        thickness: float = math.nan,
-        key: Hashable = None,
-    ) -> None:
+    def add_shell(self, line: int | None, number: int, nodes: Sequence[Hashable], sets: Iterable[str] = (), *,
+                  thickness: float = math.nan, key: Hashable = None) -> None:  # fmt: skip
         """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for ``add_to_set``."""
-        row = self._shells.add(line, number, nodes, CORNERS[len(nodes)], sets, key)
-        if not math.isnan(thickness):
-            self._thickness[row] = thickness
+        self._surface_rows.add(line, number, nodes, CORNERS[len(nodes)], sets, key, thickness)
 
-    def add_solid(
-        self,
-        line: int | None,
-        number: int,
-        nodes: Sequence[Hashable],
-        sets: Iterable[str] = (),
-        *,
-        key: Hashable = None,
-    ) -> None:
+    def add_solid(self, line: int | None, number: int, nodes: Sequence[Hashable], sets: Iterable[str] = (), *,
+                  key: Hashable = None) -> None:  # fmt: skip
         """Add a solid element: a tetrahedron, pyramid, wedge or hexahedron, with nodes on its edges or without."""
         if len(nodes) not in SOLID_CORNERS:
             raise self.error(line, f"element {number} is a solid of {len(nodes)} nodes, which no kind of solid has")
-        self._solids.add(line, number, nodes, SOLID_CORNERS[len(nodes)], sets, key)
+        self._solid_rows.add(line, number, nodes, SOLID_CORNERS[len(nodes)], sets, key)
 
     def add_to_set(self, name: str, keys: Iterable[Hashable]) -> None:
         """Add elements to a set by their keys; bars and the like are left out."""
         chosen = list(keys)
-        for elements in (self._shells, self._solids):
-            rows = elements.sets.setdefault(name, [])
-            for key in chosen:
-                rows += elements.by_key.get(key, ())
+        for elements in (self._surface_rows, self._solid_rows):
+            elements.sets.setdefault(name, []).extend(row for key in chosen for row in elements.by_key.get(key, ()))
 
     def add_wall(
         self, name: str, section: str, thickness: float | None, metal: Wall | None, material: str = ""
@@ -269,18 +215,9 @@ class MeshBuilder:
         source = " and ".join(filter(None, (section, metal.source)))
         self.walls[name] = replace(metal, thickness=thickness, source=source, material=material)
 
-    def note_offsets(self, count: int, noun: str) -> None:
-        """Warn of walls that do not lie at the nodes, if there are any."""
-        if count:
-            text = f"{count} {noun} have an offset from the nodes, which is not used: nodes are on the middle surface"
-            self.notes.append(text)
-
-    def add_mass(
-        self, line: int | None, node: Hashable, mass: float, offset: Sequence[float] = (0.0, 0.0, 0.0)
-    ) -> None:
+    def add_mass(self, line: int | None, node: Hashable, mass: float, offset: Sequence[float] = (0, 0, 0)) -> None:
         """Add a point mass at a node, or at an offset from it."""
-        x, y, z = offset
-        self._masses.append((line, node, (x, y, z), mass))
+        self._point_masses.append((line, node, offset, mass))
 
     def mesh(self) -> Mesh:
         """Return the mesh.
@@ -290,60 +227,58 @@ class MeshBuilder:
         FileError
             An element has a node that does not exist.
         """
-        shells, solids = self._arrays(self._shells, 4), self._arrays(self._solids, 8)
-        thickness = np.full(len(shells.ids), np.nan)
-        for row, value in self._thickness.items():
-            thickness[row] = value
+        surfaces, solids = self._arrays(self._surface_rows, 4), self._arrays(self._solid_rows, 8)
         masses = []
-        for line, key, offset, mass in self._masses:
+        for line, key, offset, mass in self._point_masses:
             place = self._places[self._row(line, "a point mass", key)]
             masses.append((*(a + b for a, b in zip(place, offset, strict=True)), mass))
-        notes = list(self.notes)
-        if self._shells.higher:
-            count = f"{self._shells.higher} element{'s' * (self._shells.higher != 1)}"
-            notes.append(f"{count} with nodes on edges are taken by their corners")
+        notes = [*self.notes, *(
+            f"{count} {noun} have an offset from the nodes, which is not used: nodes are on the middle surface"
+            for noun, count in self.offsets.items()
+        )]  # fmt: skip
+        if higher := self._surface_rows.higher:
+            notes.append(f"{higher} element{'s' * (higher != 1)} with nodes on edges are taken by their corners")
         if self.left_out:
             parts = " and ".join(f"{count} {kind}" for kind, count in self.left_out.items())
             notes.append(f"left out, as a head has no such elements: {parts}")
-        return Mesh(
-            path=self.path,
-            points=np.array(self._places, float).reshape(-1, 3),
-            node_ids=np.array(self._numbers, np.int64),
-            corners=shells.corners,
-            ids=shells.ids,
-            thickness=thickness,
-            sets=shells.sets,
-            aliases=self.aliases,
-            walls=self.walls,
-            masses=masses,
-            solids=solids,
-            notes=notes,
-        )
+        shared: dict[str, Any] = {
+            "path": self.path, "points": np.array(self._places, float).reshape(-1, 3),
+            "node_ids": np.array(self._numbers, np.int64), "aliases": self.aliases, "walls": self.walls,
+            "masses": masses, "notes": notes,
+        }  # fmt: skip
+        return Mesh(**shared, **surfaces, solids=Mesh(**shared, **solids))
 
-    def _arrays(self, rows: _Rows, width: int) -> Elements:
+    def _arrays(self, rows: _Rows, width: int) -> dict[str, Any]:
         corners = np.full((len(rows.elements), width), -1, dtype=np.int64)
         for row, (line, number, nodes) in enumerate(rows.elements):
             for corner, key in enumerate(nodes):
                 corners[row, corner] = self._row(line, f"element {number}", key)
-        return Elements(
-            corners=corners,
-            ids=np.array([number for _, number, _ in rows.elements], np.int64),
-            sets={name: np.unique(np.array(own, np.int64)) for name, own in rows.sets.items()},
-        )
+        return {
+            "corners": corners,
+            "ids": np.array([number for _, number, _ in rows.elements], np.int64),
+            "thickness": np.array(rows.thickness, float),
+            "sets": {name: np.unique(np.array(own, np.int64)) for name, own in rows.sets.items()},
+        }
 
     def _row(self, line: int | None, what: str, key: Hashable) -> int:
-        if key not in self._rows:
+        if key not in self._row_of:
             number = key[-1] if isinstance(key, tuple) else key
             raise self.error(line, f"{what} has the node {number}, which does not exist")
-        return self._rows[key]
+        return self._row_of[key]
+
+
+def _as_float(given: str | float) -> float:
+    """Return a number as people write it, which has no underscores; NaN of what is none."""
+    try:
+        return math.nan if isinstance(given, str) and "_" in given else float(given)
+    except ValueError:
+        return math.nan
 
 
 def read_text(path: str) -> list[str]:
     """Return the lines of a text file of any encoding that has ASCII in it."""
     content = read_input(path)
-    for encoding in ("utf-8-sig", "latin-1"):
-        try:
-            return content.decode(encoding).splitlines()
-        except UnicodeDecodeError:
-            continue
-    raise FileError(path, None, "this is no text")
+    try:
+        return content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError:
+        return content.decode("latin-1").splitlines()

@@ -44,14 +44,11 @@ class _Card:
         return self.fields[place] if place < len(self.fields) else ""
 
 
-def read(path: str) -> Mesh:
-    """Read a mesh of Nastran."""
-    return _File(path).read()
+class NastranReader(MeshBuilder):
+    """Reads a mesh of Nastran."""
 
-
-class _File:
     def __init__(self, path: str) -> None:
-        self.builder = MeshBuilder(path)
+        super().__init__(path)
         self.names: dict[int, str] = {}
         self.components: dict[int, tuple[str, int | None]] = {}
         self.members: dict[int, list[str]] = {}
@@ -59,9 +56,9 @@ class _File:
         self.unnamed: int | None = None
         self.properties: dict[int, tuple[str, int, float | None]] = {}
         self.metals: dict[int, Wall] = {}
-        self.offsets = 0
 
     def read(self) -> Mesh:
+        """Return the mesh."""
         for card in self._cards():
             if card.name == "GRID":
                 self._grid(card)
@@ -69,9 +66,9 @@ class _File:
                 self._shell(card)
             elif card.name in SOLIDS:
                 count = SOLIDS[card.name]
-                nodes = [self.builder.number(card.line, card[3 + corner]) for corner in range(count)]
-                number = self.builder.number(card.line, card[1], "an element")
-                self.builder.add_solid(card.line, number, nodes, [card[2] or card[1]])
+                nodes = [self.number(card.line, card[3 + corner]) for corner in range(count)]
+                number = self.number(card.line, card[1], "an element")
+                self.add_solid(card.line, number, nodes, [card[2] or card[1]])
             elif card.name in ("PSHELL", "PSOLID"):
                 self._property(card)
             elif card.name == "MAT1":
@@ -79,24 +76,23 @@ class _File:
             elif card.name == "CONM2":
                 self._mass(card)
             elif card.name in BARS:
-                self.builder.left_out[f"cards {card.name}"] += 1
+                self.left_out[f"cards {card.name}"] += 1
             elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
-                raise self.builder.includes(card.line)
+                raise self.includes(card.line)
             elif card.name == "GRDSET" and card[2] not in ("", "0"):
                 message = f"nodes stand in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
-                raise self.builder.error(card.line, message)
+                raise self.error(card.line, message)
         self._name_components()
-        self.builder.aliases |= {name: str(number) for number, name in self.names.items()}
+        self.aliases |= {name: str(number) for number, name in self.names.items()}
         for number, (kind, metal, thickness) in self.properties.items():
             material = f"MAT {metal}" if metal else ""
-            self.builder.add_wall(str(number), f"{kind} {number}", thickness, self.metals.get(metal), material)
-        self.builder.note_offsets(self.offsets, "elements")
-        return self.builder.mesh()
+            self.add_wall(str(number), f"{kind} {number}", thickness, self.metals.get(metal), material)
+        return self.mesh()
 
     def _cards(self) -> Iterator[_Card]:
         card: _Card | None = None
         comment = ""
-        for number, text in enumerate(read_text(self.builder.path), 1):
+        for number, text in enumerate(read_text(self.path), 1):
             if text.startswith("$"):
                 self._comment(text)
                 comment = text
@@ -141,57 +137,57 @@ class _File:
         named = bool(self.names)
         for number, (name, own) in self.components.items():
             if number in self.members:
-                self.builder.add_to_set(name, _numbers(self.members[number]))
+                self.add_to_set(name, _numbers(self.members[number]))
             elif own is not None:
-                self.builder.aliases[name] = str(own)
+                self.aliases[name] = str(own)
             elif not named:
                 self.names.setdefault(number, name)
 
     def _grid(self, card: _Card) -> None:
-        number = self.builder.number(card.line, card[1])
+        number = self.number(card.line, card[1])
         if card[2] not in ("", "0"):
             message = (
                 f"node {number} stands in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
             )
-            raise self.builder.error(card.line, message)
-        self.builder.add_node(card.line, number, number, [_number(card[place] or "0") for place in (3, 4, 5)])
+            raise self.error(card.line, message)
+        self.add_node(card.line, number, number, [_number(card[place] or "0") for place in (3, 4, 5)])
 
     def _shell(self, card: _Card) -> None:
-        number = self.builder.number(card.line, card[1], "an element")
+        number = self.number(card.line, card[1], "an element")
         group = card[2] or card[1]  # a property left out has the number of the element
         count = SHELLS[card.name]
-        nodes = [self.builder.number(card.line, card[3 + corner]) for corner in range(count)]
+        nodes = [self.number(card.line, card[3 + corner]) for corner in range(count)]
         higher = card.name[-1] in "68"
         middle = [each for each in card.fields[3 + count : 3 + 2 * count] if each] if higher else []
         first = THICKNESS.get(card.name)
         own = [] if first is None else card.fields[first : first + count]
         if first is not None and _number(card[4 + count]).strip("0.+- "):
-            self.offsets += 1
+            self.offsets["elements"] += 1
         if first is not None and card[10] == "1":
             message = f"the thicknesses of element {number} are parts of that of its property (TFLAG = 1), which is not"
-            raise self.builder.error(card.line, f"{message} read; write them with TFLAG = 0")
-        values = [self.builder.value(card.line, _number(each), "thickness") for each in own if each]
-        self.builder.add_shell(
+            raise self.error(card.line, f"{message} read; write them with TFLAG = 0")
+        values = [self.value(card.line, _number(each), "thickness") for each in own if each]
+        self.add_shell(
             card.line, number, nodes if not middle else [*nodes, *nodes], [group],
             thickness=sum(values) / len(values) if len(values) == count else float("nan"),
         )  # fmt: skip
 
     def _property(self, card: _Card) -> None:
-        number = self.builder.number(card.line, card[1], "a property")
+        number = self.number(card.line, card[1], "a property")
         shell = card.name == "PSHELL"
-        thickness = self.builder.value(card.line, _number(card[3]), "thickness") if shell and card[3] else None
+        thickness = self.value(card.line, _number(card[3]), "thickness") if shell and card[3] else None
         if shell and _number(card[8]).strip("0.+- "):
-            self.builder.left_out["properties with a mass spread over the wall (NSM of PSHELL)"] += 1
+            self.left_out["properties with a mass spread over the wall (NSM of PSHELL)"] += 1
         metal = int(card[2]) if card[2].isdecimal() and len(card[2]) < 11 else 0
         self.properties[number] = card.name, metal, thickness
         if (matched := BEFORE.match(card.comment)) is not None and matched["name"].strip():
             self.names.setdefault(number, matched["name"].strip())
 
     def _metal(self, card: _Card) -> None:
-        number = self.builder.number(card.line, card[1], "a material")
+        number = self.number(card.line, card[1], "a material")
 
         def value(place: int, what: str) -> float | None:
-            return self.builder.value(card.line, _number(card[place]), what) if card[place] else None
+            return self.value(card.line, _number(card[place]), what) if card[place] else None
 
         youngs, shear, poisson = value(2, "Young's modulus"), value(3, "shear modulus"), value(4, "Poisson's ratio")
         if poisson is None and youngs and shear:
@@ -202,14 +198,12 @@ class _File:
         self.metals[number] = metal
 
     def _mass(self, card: _Card) -> None:
-        number = self.builder.number(card.line, card[2])
+        number = self.number(card.line, card[2])
         if card[3] not in ("", "0"):
-            raise self.builder.error(
-                card.line, f"CONM2 {card[1]} stands in another coordinate system than the basic one"
-            )
-        mass = self.builder.value(card.line, _number(card[4]), "mass")
-        offset = [self.builder.value(card.line, _number(card[place] or "0"), "offset") for place in (5, 6, 7)]
-        self.builder.add_mass(card.line, number, mass, offset)
+            raise self.error(card.line, f"CONM2 {card[1]} stands in another coordinate system than the basic one")
+        mass = self.value(card.line, _number(card[4]), "mass")
+        offset = [self.value(card.line, _number(card[place] or "0"), "offset") for place in (5, 6, 7)]
+        self.add_mass(card.line, number, mass, offset)
 
 
 def _numbers(words: list[str]) -> Iterator[int]:
