@@ -12,7 +12,7 @@ from clubface import fem
 from clubface.design import shells
 from clubface.design.shells.engine import Engine, FastModel, rigid_values
 from clubface.errors import FileError, InputError, MeshWarning, TargetWarning
-from clubface.fem.heads import DriverHead, Group, MeshHead, user_mesh
+from clubface.fem.heads import DriverHead, Group, MeshHead, head_text
 from clubface.fem.heads.read import from_text, from_toml
 from fem_meshes import Walls, coarse_walls, lsdyna, write_walls
 from fem_runs import coarse
@@ -264,10 +264,10 @@ def test_a_head_of_a_mesh_is_read_as_it_was_written(tmp_path, centre):
         Group(name="skirt", thickness="1.4 mm", metal={"youngs": "110 GPa"}),
     )
     head = own_head(tmp_path, groups=groups, bulge="flat", face_centre=centre, description="with a description")
-    text = user_mesh.text(head, characteristic_time=250e-6)
+    text = head_text(head, characteristic_time=250e-6)
     read = from_text(text)
     assert isinstance(read, MeshHead)
-    assert user_mesh.text(read, characteristic_time=250e-6) == text
+    assert head_text(read, characteristic_time=250e-6) == text
     assert (read.name, read.description, read.file, read.unit, read.loft, read.bulge, read.roll) == (
         head.name, head.description, head.file, head.unit, head.loft, head.bulge, head.roll,
     )  # fmt: skip
@@ -338,7 +338,7 @@ density = "7800 kg/m3"
 
 
 def test_a_file_of_a_mesh_is_read(tmp_path):
-    (tmp_path / "own.toml").write_text(user_mesh.text(own_head(tmp_path), folder=tmp_path))
+    (tmp_path / "own.toml").write_text(head_text(own_head(tmp_path), folder=tmp_path))
     (tmp_path / "study.toml").write_text(FILE)
     result = shells.read(tmp_path / "study.toml")
     assert result.bounds == {
@@ -366,7 +366,7 @@ def test_a_file_of_a_mesh_is_read(tmp_path):
     ],
 )  # fmt: skip
 def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
-    (tmp_path / "own.toml").write_text(user_mesh.text(own_head(tmp_path), folder=tmp_path))
+    (tmp_path / "own.toml").write_text(head_text(own_head(tmp_path), folder=tmp_path))
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))
     with pytest.raises(FileError, match=message) as error:
@@ -375,7 +375,7 @@ def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
 
 
 def test_a_mesh_that_is_missing_is_told_by_the_line_of_its_head(tmp_path):
-    (tmp_path / "own.toml").write_text(user_mesh.text(own_head(tmp_path), folder=tmp_path))
+    (tmp_path / "own.toml").write_text(head_text(own_head(tmp_path), folder=tmp_path))
     (tmp_path / "abaqus.inp").unlink()
     (tmp_path / "study.toml").write_text(FILE)
     with pytest.raises(FileError, match=r"own\.toml:\d+: .*abaqus\.inp"):

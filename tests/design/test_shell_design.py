@@ -14,7 +14,7 @@ from clubface.design.shells import engine as engine_module, engine as fast_modul
 from clubface.design.shells.engine import Engine, FastModel, face_radius, plate_stress, plate_time, rigid_values
 from clubface.errors import FileError, InputError, RunError
 from clubface.fem.head_tests import characteristic_time
-from clubface.fem.heads import DriverHead, ShellHead, driver as driver_file
+from clubface.fem.heads import DriverHead, ShellHead, head_text
 from clubface.fem.heads.read import from_text
 from clubface.fem.stress import peak_stress
 from fem_runs import coarse
@@ -131,7 +131,7 @@ def test_no_face_of_a_grid_is_better():
 
 def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
     target = tmp_path / "best.toml"
-    target.write_text(driver_file.text(fastest.head))
+    target.write_text(head_text(fastest.head))
     read = fem.head(str(target))
     best = fastest.chosen.best.values
     assert characteristic_time(read) == best["characteristic_time"]
@@ -247,14 +247,14 @@ def test_the_fast_model_tells_what_the_engine_tells():
 )
 def test_a_driver_is_read_as_it_was_written(own):
     head = driver(metal=own, target={"mass": "204 g", "cg_above": "-1 mm", "izz": "4000 g cm2"}, scales=(0.7, 1.5))
-    read = from_text(driver_file.text(head))
+    read = from_text(head_text(head))
     assert isinstance(read, DriverHead)
     for table in ("shape", "thickness", "target"):
         assert getattr(read, table) == pytest.approx(getattr(head, table), rel=1e-9)
     assert read.metal == head.metal
     assert (read.elements, read.scales, read.name) == (head.elements, head.scales, head.name)
     assert read.trims["sole"] == pytest.approx(head.trims["sole"])
-    assert driver_file.text(read) == driver_file.text(head)
+    assert head_text(read) == head_text(head)
 
 
 FILE = """title = "A face"
@@ -280,7 +280,7 @@ yield = "1100 MPa"
 
 
 def test_a_file_is_read(tmp_path):
-    (tmp_path / "driver.toml").write_text(driver_file.text(driver()))
+    (tmp_path / "driver.toml").write_text(head_text(driver()))
     (tmp_path / "study.toml").write_text(FILE)
     result = shells.read(tmp_path / "study.toml")
     assert result.bounds == {CENTRE: pytest.approx((2.4e-3, 4.2e-3))}
@@ -318,7 +318,7 @@ def test_a_file_is_read(tmp_path):
     ],
 )
 def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
-    (tmp_path / "driver.toml").write_text(driver_file.text(driver()))
+    (tmp_path / "driver.toml").write_text(head_text(driver()))
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))
     with pytest.raises(FileError, match=message) as error:
@@ -327,7 +327,7 @@ def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
 
 
 def test_a_golfer_delivers(tmp_path):
-    (tmp_path / "driver.toml").write_text(driver_file.text(driver()))
+    (tmp_path / "driver.toml").write_text(head_text(driver()))
     text = FILE.replace('speed = "100 mph"\n', "").replace(
         'title = "A face"', 'title = "A face"\ngolfer = "bogey-driver"'
     )

@@ -72,7 +72,7 @@ def test_the_mesh_of_a_ball_is_swept(tmp_path):
 def test_walls_and_metal_of_a_head_are_swept(tmp_path):
     head = from_toml(builtin_path("head", "paper", "fem_heads"))
     head = replace(head, elements=(14, 8, 10), thickness={**head.thickness, "face_centre": 3.1e-3})
-    (tmp_path / "head.toml").write_text(fem.heads.driver.text(head))
+    (tmp_path / "head.toml").write_text(fem.heads.head_text(head))
     path = write_case(tmp_path, duration=900, old='kind = "plane"', new='kind = "meshed"\nclub = "./head.toml"')
     path.write_text(path.read_text().replace('angle = "11.5 deg"', 'loft = "11.5 deg"'))
     _, result = computed(tmp_path, 'face_centre = ["2.8 mm"]\nmetal.youngs = ["110 GPa"]\ncore.c10 = ["3 MPa"]')

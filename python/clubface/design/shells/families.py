@@ -15,13 +15,12 @@ from clubface import units
 from clubface.design.shells.metals import MetalChoice, elastic
 from clubface.errors import InputError, TargetWarning, Wording
 from clubface.fem.geometry import area_vectors, sums_at_nodes
-from clubface.fem.heads import driver, user_mesh
 from clubface.fem.heads.added_mass import spread
 from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.meshed import ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.fem.heads.user_mesh import MeshHead
+from clubface.fem.heads.user_mesh import MeshHead, beyond
 from clubface.support.checks import check_choice, without_warnings
 from clubface.support.files import input_file
 
@@ -97,10 +96,6 @@ class Family(ABC):
     def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
         """Return name and metal of a part of the start, with its yield stress."""
 
-    @abstractmethod
-    def text(self, head: Any, *, characteristic_time: float | None = None, folder: Any = None) -> str:
-        """Return the file of a head, which is to stand in ``folder``."""
-
     def files(self) -> dict[str, str]:
         """Return fingerprints of files that the head is made from besides its own, by what each is called."""
         return {}
@@ -148,9 +143,6 @@ class DriverFamily(Family):
         chosen = choice.of_group(part)
         return (choice.name, self._head.metal) if chosen is None else (chosen.name, chosen.metal)
 
-    def text(self, head: DriverHead, *, characteristic_time: float | None = None, folder: Any = None) -> str:
-        return driver.text(head, characteristic_time=characteristic_time)
-
 
 class MeshFamily(Family):
     """Heads of one mesh of shells, whose groups have other walls and metals, and other added masses."""
@@ -160,7 +152,7 @@ class MeshFamily(Family):
         self.groups = tuple(group.name for group in head.groups)
         self.variables = {"thickness": ("group", self.groups), "masses": ("mass", tuple(head.masses))}
         self.start = mesh_shells(head)
-        self._group = {part: name for name in self.groups for part in (name, user_mesh.beyond(name))}
+        self._group = {part: name for name in self.groups for part in (name, beyond(name))}
         for name in varied:
             table, _, key = name.partition(".")
             if table == "thickness" and key in self.groups:
@@ -260,9 +252,6 @@ class MeshFamily(Family):
         if chosen is not None:
             return chosen.name, chosen.metal
         return group, next(each.metal for each in self.start.parts if each.name == part)
-
-    def text(self, head: MeshHead, *, characteristic_time: float | None = None, folder: Any = None) -> str:
-        return user_mesh.text(head, characteristic_time=characteristic_time, folder=folder)
 
     def files(self) -> dict[str, str]:
         return {"mesh": input_file(self._head.file).sha256}

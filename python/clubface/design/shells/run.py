@@ -19,7 +19,7 @@ from clubface.design.shells.metals import MetalChoice
 from clubface.design.shells.study import QUANTITIES, ShellStudy, design_quantity, read
 from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
 from clubface.errors import MeshWarning, RangeWarning, RunError, TargetWarning
-from clubface.fem.heads.read import from_text
+from clubface.fem.heads.read import from_text, head_text
 from clubface.jobs.store import store_for
 from clubface.quantities import format_value
 from clubface.results.notes import Note, note
@@ -109,7 +109,7 @@ class Improved(Described):
         provenance = Provenance(
             inputs={"runs of finite elements": str(self.runs), **flight_conditions()},
             sources=tuple(f"Metal {each.name}: {each.source}" for each in self.study.metals if each.source),
-            descriptions={"the-best-head.toml": self.study.family.text(self.head)},
+            descriptions={"the-best-head.toml": head_text(self.head)},
         )
         return Result(
             kind="shell-design", title=self.study.title, tables=tuple(tables),
@@ -179,7 +179,7 @@ def improve(
         if output is not None:
             # The models that take the head as rigid learn from this line how its face gives.
             time = chosen.best.values["characteristic_time"]
-            text = study.family.text(head, characteristic_time=time, folder=Path(output).parent)
+            text = head_text(head, characteristic_time=time, folder=Path(output).parent)
             kept.write_result(Path(output), lambda file: file.write(text.encode()))
             kept.remove()
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
@@ -187,7 +187,7 @@ def improve(
 
 def _as_written(study: ShellStudy, place: Floats, metal: MetalChoice) -> Head:
     """Return the head at a place as its file has it, so that what is judged is what is written."""
-    made = from_text(study.family.text(study.at(place, metal)))
+    made = from_text(head_text(study.at(place, metal)))
     assert isinstance(made, Head)
     return made
 

@@ -7,10 +7,10 @@ from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.meshed import Bond, MeshedClub, MeshedHead, Part, ShellHead, SolidHead, SolidPart, mesh_of
 from clubface.fem.heads.metal import Hardening, Metal
-from clubface.fem.heads.read import head, head_names
+from clubface.fem.heads.read import head, head_names, head_text
 from clubface.fem.heads.user_mesh import MeshHead
 
 __all__ = [
     "Bond", "DriverHead", "Group", "Hardening", "IronHead", "MeshHead", "MeshedClub", "MeshedHead", "Metal", "Part",
-    "ShellHead", "SolidHead", "SolidPart", "head", "head_names", "mesh_of",
+    "ShellHead", "SolidHead", "SolidPart", "head", "head_names", "head_text", "mesh_of",
 ]  # fmt: skip

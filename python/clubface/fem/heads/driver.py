@@ -13,7 +13,7 @@ from clubface.fem.core import in_thread
 from clubface.fem.heads.added_mass import TRIMS, Place
 from clubface.fem.heads.meshed import Part, ShellHead
 from clubface.fem.heads.metal import Metal
-from clubface.schema import NAME, TEXT, Items, PhysicalValue, Record, Table, check_values, count, encode, file_key
+from clubface.schema import NAME, TEXT, Items, PhysicalValue, Record, Table, check_values, count, file_key
 from clubface.support.checks import warn_once
 
 CENTRE, INERTIA = ("cg_x", "cg_y", "cg_z"), ("ixx", "iyy", "izz")
@@ -133,14 +133,3 @@ class DriverHead:
         if missed:
             room = "wider `scales` of the walls, or more or larger trims, help"
             warn_once(f"{self.name}: {', '.join(missed)}; {room}", TargetWarning)
-
-
-def text(head: DriverHead, *, characteristic_time: float | None = None) -> str:
-    """Return a file of a driver, which :func:`.read.from_toml` reads; lengths to 0.1 um.
-
-    A ``characteristic_time`` [s] is for the models that take the head as rigid.
-    """
-    lines = ['kind = "driver"\n']
-    if characteristic_time is not None:
-        lines.append(f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n")
-    return "".join([*lines, encode(head)])

@@ -21,23 +21,36 @@ from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
 
 
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class MeshedHead(ABC):
     """A head of elements, in SI units.
 
     The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
+
+    Attributes
+    ----------
+    name, description
+        Name and description for tables.
+    nodes
+        Nodes [m], shape (n, 3); of shells those of the middle surface.
+    added
+        Mass added to each node [kg].
+    loft
+        Elevation of the face normal at the face centre [rad].
+    bulge, roll
+        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
+    report
+        Added masses [kg] by name, and what else the head took to meet its targets.
     """
 
     name: str
-    description: str
+    nodes: NDArray[Any]
+    added: NDArray[Any]
     loft: float
-    bulge: float
-    roll: float
-    report: Mapping[str, float]
-
-    @property
-    @abstractmethod
-    def elements(self) -> int:
-        """Number of elements."""
+    bulge: float = math.inf
+    roll: float = math.inf
+    description: str = ""
+    report: Mapping[str, float] = field(default_factory=dict)
 
     @abstractmethod
     def values(self) -> dict[str, Any]:
@@ -46,6 +59,15 @@ class MeshedHead(ABC):
     @abstractmethod
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
+
+    @abstractmethod
+    def part_of_elements(self) -> NDArray[Any]:
+        """Return the number of the part of each element."""
+
+    @property
+    def elements(self) -> int:
+        """Number of elements."""
+        return len(self.part_of_elements())
 
     @property
     def volume(self) -> float | None:
@@ -59,9 +81,9 @@ class MeshedHead(ABC):
         return depth, height, length
 
     @property
-    @abstractmethod
     def places(self) -> NDArray[Any]:
         """Places of points of its surface [m], shape (n, 3); all of it lies within their convex hull."""
+        return self.nodes
 
     @cached_property
     def club(self) -> Club:
@@ -189,49 +211,24 @@ class SolidHead(MeshedHead):
 
     Attributes
     ----------
-    name, description
-        Name and description for tables.
-    nodes
-        Nodes [m], shape (n, 3).
     parts
         Its parts.
     face
         Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4); a triangle has its
         last corner twice.
-    added
-        Mass added to each node [kg].
-    loft
-        Elevation of the face normal at the face centre [rad].
-    bulge, roll
-        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
     bonds
         Bonds between parts that share no nodes.
     grooves
         "width", "depth", "pitch" and "wall" of the grooves [m], or None.
     element
         Kind of the hexahedra, "one-point" or "full".
-    report
-        Added masses [kg] by name.
     """
 
-    name: str
-    nodes: NDArray[Any]
     parts: tuple[SolidPart, ...]
     face: NDArray[Any]
-    added: NDArray[Any]
-    loft: float
     bonds: tuple[Bond, ...] = ()
     grooves: Mapping[str, float] | None = None
     element: str = "one-point"
-    description: str = ""
-    report: Mapping[str, float] = field(default_factory=dict)
-    bulge: float = math.inf
-    roll: float = math.inf
-
-    @property
-    def elements(self) -> int:
-        """Number of elements."""
-        return len(self.hexahedra) + len(self.tetrahedra)
 
     @cached_property
     def hexahedra(self) -> NDArray[Any]:
@@ -250,11 +247,6 @@ class SolidHead(MeshedHead):
         numbers = np.arange(len(self.parts))
         return np.concatenate([np.repeat(numbers, hexahedra), np.repeat(numbers, tetrahedra)])
 
-    @property
-    def places(self) -> NDArray[Any]:
-        """Places of its nodes [m]."""
-        return self.nodes
-
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""
         return self.nodes[np.unique(self.face)]
@@ -265,42 +257,24 @@ class SolidHead(MeshedHead):
         for part in self.parts:
             material = Material.linear(part.metal.youngs, part.metal.poisson, density=part.metal.density)
             parts.append({
-                "name": part.name,
-                "hexahedra": len(part.hexahedra),
-                "tetrahedra": len(part.tetrahedra),
-                "element": self.element,
-                "shear": material.shear,
-                "bulk": material.bulk,
-                "density": part.metal.density,
-                "plastic": part.metal.plastic(),
+                "name": part.name, "hexahedra": len(part.hexahedra), "tetrahedra": len(part.tetrahedra),
+                "element": self.element, "shear": material.shear, "bulk": material.bulk,
+                "density": part.metal.density, "plastic": part.metal.plastic(),
             })  # fmt: skip
-        values = {
-            "nodes": self.nodes.ravel().tolist(),
-            "hexahedra": self.hexahedra[:, ROUND].ravel().tolist(),
-            "tetrahedra": self.tetrahedra.ravel().tolist(),
-            "parts": parts,
-            "bonds": self._bonds(),
-            "face": self.face.ravel().tolist(),
-            "added": self.added.tolist(),
-            "loft": self.loft,
-            "grooves": None if self.grooves is None else dict(self.grooves),
-        }
-        return {"solid": values}
-
-    def _bonds(self) -> list[dict[str, Any]]:
         names = [part.name for part in self.parts]
         outside = {name: triangles(self.parts[names.index(name)].outside()).ravel().tolist()
                    for bond in self.bonds for name in (bond.part, bond.to)}  # fmt: skip
-        return [
-            {
-                "name": f"{bond.part} to {bond.to}",
-                "part": names.index(bond.part),
-                "surface": outside[bond.part],
-                "other": outside[bond.to],
-                "within": bond.within,
-            }
+        bonds = [
+            {"name": f"{bond.part} to {bond.to}", "part": names.index(bond.part), "surface": outside[bond.part],
+             "other": outside[bond.to], "within": bond.within}
             for bond in self.bonds
-        ]
+        ]  # fmt: skip
+        return {"solid": {
+            "nodes": self.nodes.ravel().tolist(), "hexahedra": self.hexahedra[:, ROUND].ravel().tolist(),
+            "tetrahedra": self.tetrahedra.ravel().tolist(), "parts": parts, "bonds": bonds,
+            "face": self.face.ravel().tolist(), "added": self.added.tolist(), "loft": self.loft,
+            "grooves": None if self.grooves is None else dict(self.grooves),
+        }}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -327,52 +301,25 @@ class Part:
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ShellHead(MeshedHead):
-    """A head of four-node shells, in SI units.
-
-    The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
+    """A head of four-node shells.
 
     Attributes
     ----------
-    name, description
-        Name and description for tables.
-    nodes
-        Nodes of the middle surface [m], shape (n, 3).
     quads
         Nodes of each element, counterclockwise as seen from outside, shape (m, 4).
     thickness
         Thickness of each element [m].
     parts
         The parts, in the order of their elements.
-    added
-        Mass added to each node [kg].
-    loft
-        Elevation of the face normal at the face centre [rad].
-    bulge, roll
-        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
-    report
-        What the head took to meet its targets, such as trim masses [kg] by name.
     asked
         The targets, under the names of :class:`clubface.fem.DriverHead`, in SI units. A target that the bounds do not
         allow is missed.
     """
 
-    name: str
-    nodes: NDArray[Any]
     quads: NDArray[Any]
     thickness: NDArray[Any]
     parts: tuple[Part, ...]
-    added: NDArray[Any]
-    loft: float
-    bulge: float
-    roll: float
-    description: str = ""
-    report: Mapping[str, float] = field(default_factory=dict)
     asked: Mapping[str, float] = field(default_factory=dict)
-
-    @property
-    def elements(self) -> int:
-        """Number of shells."""
-        return len(self.quads)
 
     @property
     def reached(self) -> dict[str, float]:
@@ -411,15 +358,10 @@ class ShellHead(MeshedHead):
             | {"name": part.name, "elements": part.elements, "plastic": part.metal.plastic(), "face": part.face}
             for part in self.parts
         ]
-        shells = {
-            "nodes": self.nodes.ravel().tolist(),
-            "quads": self.quads.ravel().tolist(),
-            "thickness": self.thickness.tolist(),
-            "added": self.added.tolist(),
-            "parts": parts,
-            "loft": self.loft,
-        }
-        return {"shells": shells}
+        return {"shells": {
+            "nodes": self.nodes.ravel().tolist(), "quads": self.quads.ravel().tolist(),
+            "thickness": self.thickness.tolist(), "added": self.added.tolist(), "parts": parts, "loft": self.loft,
+        }}  # fmt: skip
 
     def face_places(self) -> NDArray[Any]:
         """Return the places of the nodes of the face [m]."""

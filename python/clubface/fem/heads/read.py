@@ -11,7 +11,7 @@ from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedClub, MeshedHead
 from clubface.fem.heads.user_mesh import MeshHead
-from clubface.schema import Choice, Document, Place, Table, Value, entries
+from clubface.schema import Choice, Document, PhysicalValue, Place, Table, Value, encode, entries
 from clubface.support.files import builtin_names, path_of
 
 Design = DriverHead | IronHead | MeshHead
@@ -59,6 +59,26 @@ def from_toml(path: str | os.PathLike[str]) -> Design:
 def from_text(text: str) -> Design:
     """Read the same from text; a mesh is looked for in the folder of work."""
     return design_from_document(Document(text))
+
+
+def head_text(
+    design: Design, *, characteristic_time: float | None = None, folder: str | os.PathLike[str] | None = None
+) -> str:
+    """Return a file of a head, which :func:`from_toml` reads; lengths to 0.1 um.
+
+    Parameters
+    ----------
+    design
+        The head.
+    characteristic_time
+        For the models that take the head as rigid [s].
+    folder
+        Where the file is to stand: a mesh is named from there. Unless given, it is named as in the head.
+    """
+    head = f'kind = "{next(kind for kind, each in DESIGNS.items() if isinstance(design, each))}"\n'
+    if characteristic_time is not None:
+        head += f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n"
+    return head + encode(design, **(design.in_folder(folder) if isinstance(design, MeshHead) else {}))
 
 
 def club_of(document: Document) -> MeshedClub:

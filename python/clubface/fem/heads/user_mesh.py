@@ -45,7 +45,6 @@ from clubface.schema import (
     Simple,
     Tables,
     check_values,
-    encode,
     file_key,
 )  # fmt: skip
 from clubface.support.checks import warn_once
@@ -137,6 +136,18 @@ class MeshHead:
         for note in mesh.notes:
             warn_once(f"{path}: {note}", MeshWarning)
         return head
+
+    def in_folder(self, folder: str | os.PathLike[str] | None) -> dict[str, Any]:
+        """Return what a file in a folder says of the head otherwise: it names the mesh from there."""
+        path = os.fspath(self.file)
+        if folder is not None:
+            with suppress(ValueError):  # of another drive: its full path
+                path = os.path.relpath(path, folder)
+        return {
+            "file": path.replace(os.sep, "/"), "groups": [group_values(group) for group in self.groups],
+            "face_centre": [each if isinstance(each, str) else float(each) for each in self.face_centre],
+            "bonds": [asdict(bond) for bond in self.bonds],
+        }  # fmt: skip
 
     def _shells(self, mesh: Mesh) -> ShellHead:
         """Return the head of shells."""
@@ -316,32 +327,6 @@ class MeshHead:
 def beyond(group: str) -> str:
     """Return the name of the part of a group of the face that is turned away from the ball."""
     return f"{group}, beyond"
-
-
-def text(
-    head: MeshHead, *, characteristic_time: float | None = None, folder: str | os.PathLike[str] | None = None
-) -> str:
-    """Return a file of a head of a mesh, which :func:`.read.from_toml` reads; thickness to 0.1 um.
-
-    Parameters
-    ----------
-    characteristic_time
-        For the models that take the head as rigid [s].
-    folder
-        Where the file is to stand: the mesh is named from there. Unless given, it is named as in the head.
-    """
-    path = os.fspath(head.file)
-    if folder is not None:
-        with suppress(ValueError):  # of another drive: its full path
-            path = os.path.relpath(path, folder)
-    lines = ['kind = "mesh"\n']
-    if characteristic_time is not None:
-        lines.append(f"characteristic_time = {PhysicalValue('us', decimals=1).write(characteristic_time)}\n")
-    centre = [each if isinstance(each, str) else float(each) for each in head.face_centre]
-    groups = [group_values(group) for group in head.groups]
-    bonds = [asdict(bond) for bond in head.bonds]
-    own = encode(head, file=path.replace(os.sep, "/"), face_centre=centre, groups=groups, bonds=bonds)
-    return "".join([*lines, own])
 
 
 def _weigh(head: MeshedHead, ids: NDArray[Any], node_ids: NDArray[Any]) -> None:
