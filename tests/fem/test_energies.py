@@ -9,8 +9,7 @@ from clubface import fem
 from clubface.errors import FileError, ImplausibleWarning, InputError
 from clubface.fem import keyword
 from clubface.fem.case import case
-from clubface.fem.energies import Energy
-from clubface.fem.materials import Material
+from clubface.fem.materials import Energy, Material
 from fem_runs import of_core, write_case
 
 LAW = 'law = "mooney-rivlin"\n'

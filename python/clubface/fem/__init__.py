@@ -12,7 +12,6 @@ from types import ModuleType
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
 from clubface.fem.derivatives import Derivatives, sensitivity, variables
-from clubface.fem.energies import Energy
 from clubface.fem.heads import (
     Bond,
     DriverHead,
@@ -27,8 +26,7 @@ from clubface.fem.heads import (
     head,
     head_names,
 )
-from clubface.fem.materials import Material, Maxwell, laws
-from clubface.fem.own_law import LawFunction, register_law
+from clubface.fem.materials import Energy, LawFunction, Material, Maxwell, laws, register_law
 from clubface.fem.paper import reference
 from clubface.fem.result import ElementFields, Impact
 from clubface.fem.run import strike, throw

@@ -23,9 +23,8 @@ from clubface.equipment.balls import (
 )
 from clubface.errors import InputError
 from clubface.fem import core
-from clubface.fem.energies import ENERGY, Energy
 from clubface.fem.geometry import element_masses, sums_at_nodes
-from clubface.fem.materials import REGISTERED, Material, Maxwell, builtin_laws, laws
+from clubface.fem.materials import ENERGY, NOT_CONSTANTS, REGISTERED, Energy, Material, Maxwell, builtin_laws, laws
 from clubface.results.result import Result
 from clubface.schema.document import Document
 from clubface.schema.place import Place
@@ -38,21 +37,6 @@ __all__ = ["Ball", "Piece", "ball", "ball_names"]
 
 LAYERS = count(1, 48)
 CONSTANT = Simple("a stress with its unit, or a number", schema={"type": ["string", "number"]})
-NOT_CONSTANTS = (
-    "name",
-    "layers",
-    "thickness",
-    "law",
-    "youngs",
-    "energy",
-    "volumetric",
-    "poisson",
-    "density",
-    "maxwell",
-    "radius",
-    "bulk",
-)
-"""Keys of a piece, and its variables in derivatives, that no constant of an energy may be called."""
 THICKNESS = PhysicalValue("mm", 0.01, 20)
 
 
