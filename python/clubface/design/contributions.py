@@ -167,9 +167,9 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
 
 def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[Floats, Floats]:
     """Return the launch and its slopes by one set of runs with dual numbers."""
-    from clubface.fem.derivatives import sensitivity, variables
     from clubface.fem.heads import ShellHead
     from clubface.fem.heads.meshed import mesh_of
+    from clubface.fem.run import sensitivity, variables
 
     shot, head = line.at(share), mesh_of(launch.club)
     if head is not None and not isinstance(head, ShellHead):

@@ -11,7 +11,6 @@ from importlib import import_module
 from types import ModuleType
 
 from clubface.fem.balls import Ball, Piece, ball, ball_names
-from clubface.fem.derivatives import Derivatives, sensitivity, variables
 from clubface.fem.heads import (
     Bond,
     DriverHead,
@@ -29,7 +28,7 @@ from clubface.fem.heads import (
 from clubface.fem.materials import Energy, LawFunction, Material, Maxwell, laws, register_law
 from clubface.fem.paper import reference
 from clubface.fem.result import ElementFields, Impact
-from clubface.fem.run import strike, throw
+from clubface.fem.run import Derivatives, sensitivity, strike, throw, variables
 from clubface.fem.settings import Settings
 
 __all__ = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
@@ -69,13 +69,13 @@ class Cards:
         """Add nodes at places (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
         self.keyword("NODE")
         for number, place in enumerate(places.tolist(), first):
-            self.lines.append(f"{number:8d}" + "".join(f"{each:16.8e}" for each in place))
+            self.lines.append(eights(number) + "".join(f"{each:16.8e}" for each in place))
 
     def elements(self, kind: str, parts: Iterable[int], corners: Any, first: int = 1) -> int:
         """Add elements, numbered from ``first``: the part and the nodes (n, k) of each; return the last number."""
         self.keyword(f"ELEMENT_{kind}")
         for number, (part, nodes) in enumerate(zip(parts, corners.tolist(), strict=True), first):
-            self.lines.append(element(number, part, nodes))
+            self.lines.append(eights(number, part, *nodes))
         return first + len(corners) - 1
 
     def __str__(self) -> str:
@@ -95,16 +95,6 @@ def field(value: float | None, width: int = WIDTH) -> str:
     return text.rjust(width)
 
 
-def ascii_text(text: str) -> str:
-    """Return ``text`` in the letters every reader of decks knows."""
-    return text.encode("ascii", "replace").decode()
-
-
-def element(number: int, part: int, nodes: Sequence[int]) -> str:
-    """Write an element: fields of I8."""
-    return "".join(f"{each:8d}" for each in (number, part, *nodes))
-
-
 def _spellings(value: float) -> Iterator[str]:
     """Yield a float with nine digits and fewer, plain and with an exponent."""
     for digits in range(9, 0, -1):
@@ -114,8 +104,18 @@ def _spellings(value: float) -> Iterator[str]:
         yield f"{mantissa}e{int(exponent)}"
 
 
-HEAD_PART, HEAD_SECTION = 101, 2
-HEAD_HOURGLASS = 2
+def ascii_text(text: str) -> str:
+    """Return ``text`` in the letters every reader of decks knows."""
+    return text.encode("ascii", "replace").decode()
+
+
+def eights(*numbers: int) -> str:
+    """Return whole numbers in fields of eight characters, as nodes and elements have."""
+    return "".join(f"{each:8d}" for each in numbers)
+
+
+MOTION = "id styp omega vx vy vz"
+HEAD_PART, HEAD_SECTION, HEAD_HOURGLASS = 101, 2, 2
 TEN_NODES = 16
 """Formulation of ten-node tetrahedra."""
 USUAL_POINTS = 5
@@ -137,32 +137,27 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
     assert case.club is not None
     club = case.club.club if isinstance(case.club, MeshedHead) else case.club
     touch = _first_touch(case, club)
-    _spin(deck, touch["ball_spin"], case.ball.diameter / 2.0)
+    if spin := math.hypot(*touch["ball_spin"]):  # of the ball about its centre
+        axis = [case.ball.diameter / 2.0, 0.0, 0.0, *(each / spin for each in touch["ball_spin"])]
+        deck.keyword("INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, spin, 0.0, 0.0, 0.0], axis, names=MOTION)
     if isinstance(case.club, MeshedHead):
-        write_elements = _shells if isinstance(case.club, ShellHead) else _solid
-        faces, last = write_elements(deck, case.club, touch, nodes, elements)
-        _masses_and_motion(deck, case.club, touch, nodes, last)
+        head, write_elements = case.club, _shells if isinstance(case.club, ShellHead) else _solid
+        faces, last = write_elements(deck, head, touch, nodes, elements)
+        deck.keyword("ELEMENT_MASS")
+        added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
+        deck.lines += [f"{eights(number, place)}{mass:16.8e}" for number, (place, mass) in enumerate(added, last + 1)]
+        arms = _places(head, touch) - np.asarray(touch["cg"])
+        deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
+        velocities = np.asarray(touch["velocity"]) + np.cross(touch["spin"], arms)
+        for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
+            deck.card([number, *velocity, *touch["spin"]])
     else:
         _rigid(deck, club, touch, nodes, elements)
         faces = [HEAD_PART]
     deck.comment("Penalty by node mass and time step (SOFT = 1), as in clubface.")
     for part in faces:
-        deck.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
-        deck.card([len(case.ball.pieces), part, 3, 3, 0, 0, 1, 1])
-        deck.card([float(case.friction), float(case.friction)])
-        deck.card([None])
-        deck.card([1])
-
-
-def _spin(deck: Cards, spin: list[float], radius: float) -> None:
-    """Write the spin of the ball about its centre, if it has any."""
-    size = math.hypot(*spin)
-    if size:
-        axis = [each / size for each in spin]
-        names = "id styp omega vx vy vz"
-        deck.keyword(
-            "INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, size, 0.0, 0.0, 0.0], [radius, 0.0, 0.0, *axis], names=names
-        )
+        cards = [len(case.ball.pieces), part, 3, 3, 0, 0, 1, 1], [float(case.friction)] * 2, [None], [1]
+        deck.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", *cards)
 
 
 def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
@@ -177,9 +172,8 @@ def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements:
     corners = (head.quads.astype(int) + nodes + 1).tolist()
     walls = zip(head.part_of_elements().tolist(), corners, head.thickness.tolist(), strict=True)
     for number, (part, each, thickness) in enumerate(walls, start=elements + 1):
-        deck.lines += [element(number, HEAD_PART + part, each), f"{thickness:16.8e}" * 4]
-    faces = [HEAD_PART + number for number, part in enumerate(head.parts) if part.face]
-    return faces, elements + len(corners)
+        deck.lines += [eights(number, HEAD_PART + part, *each), f"{thickness:16.8e}" * 4]
+    return [HEAD_PART + number for number, part in enumerate(head.parts) if part.face], elements + len(corners)
 
 
 def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
@@ -204,7 +198,7 @@ def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: 
             deck.keyword("ELEMENT_SOLID")
             for own in rows.tolist():
                 last += 1
-                deck.lines += [element(last, number, []), "".join(f"{each:8d}" for each in own)]
+                deck.lines += [eights(last, number), eights(*own)]
         if np.isin(head.face, corners).all(axis=1).any():
             faces.append(number)
     for bond in head.bonds:
@@ -215,10 +209,8 @@ def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: 
         deck.comment(f"bond of {bond.part} to {bond.to}: surfaces within {units.show(bond.within, 'mm')}")
         for one in first:
             for other in second:
-                deck.keyword("CONTACT_TIED_SURFACE_TO_SURFACE")
-                deck.card([one, other, 3, 3])
-                deck.card([None])
-                deck.card([None, None, -bond.within, -bond.within])
+                cards = [one, other, 3, 3], [None], [None, None, -bond.within, -bond.within]
+                deck.keyword("CONTACT_TIED_SURFACE_TO_SURFACE", *cards)
     return faces, last
 
 
@@ -244,26 +236,13 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
         return
     # A curve of its own takes the place of the tangent modulus.
     deck.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY", [*elastic, metal.yield_stress], [None], names="mid ro e pr sigy")
-    strains, stresses = zip(*metal.curve(), strict=True)
-    deck.card(list(strains))
-    deck.card(list(stresses))
+    for each in zip(*metal.curve(), strict=True):  # strains, then stresses
+        deck.card(each)
 
 
 def _places(head: Any, touch: dict[str, Any]) -> NDArray[Any]:
     """Return the nodes of a head [m] in the axes of the deck."""
     return (head.nodes @ turn_to_sole(head.loft) - touch["point"]) @ np.asarray(touch["axes"]).T
-
-
-def _masses_and_motion(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, last: int) -> None:
-    """Write added masses, as elements behind the ``last``, and the velocity of every node."""
-    deck.keyword("ELEMENT_MASS")
-    added = [(place, mass) for place, mass in enumerate(head.added.tolist(), start=nodes + 1) if mass]
-    deck.lines += [f"{number:8d}{place:8d}{mass:16.8e}" for number, (place, mass) in enumerate(added, start=last + 1)]
-    spin = np.asarray(touch["spin"])
-    velocities = np.asarray(touch["velocity"]) + np.cross(spin, _places(head, touch) - np.asarray(touch["cg"]))
-    deck.keyword("INITIAL_VELOCITY_NODE", names="nid vx vy vz vxr vyr vzr")
-    for number, velocity in enumerate(velocities.tolist(), start=nodes + 1):
-        deck.card([number, *velocity, *spin.tolist()])
 
 
 def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements: int) -> None:
@@ -374,12 +353,11 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     delivered = ", ".join(f"{key} {value}" for key, value in case.delivery.items())
     deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {delivered}")
     _control(deck, case.settings, case.head)
-    mesh = case.ball.mesh
-    _ball(deck, case.ball, mesh)
+    _ball(deck, case.ball)
     if case.head == PLANE:
         _plane(deck, case)
     else:
-        write_head(deck, case, len(mesh["nodes"]), len(mesh["elements"]))
+        write_head(deck, case, len(case.ball.mesh["nodes"]), case.ball.elements)
     deck.lines.append("*END")
     return write_text(path, str(deck), encoding="ascii")
 
@@ -391,15 +369,14 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     # A zero would mean the default.
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")
     head_outputs = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
-    outputs = ("GLSTAT", "MATSUM", *head_outputs)
-    for name in outputs:
+    for name in ("GLSTAT", "MATSUM", *head_outputs):
         deck.keyword(f"DATABASE_{name}", [how.interval], names="dt")
     deck.keyword("DATABASE_BINARY_D3PLOT", [how.duration / max(how.frames - 1, 50)], names="dt")
 
 
-def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
+def _ball(deck: Cards, ball: Ball) -> None:
     """Write nodes, elements, parts and materials of the ball; it just touches the plane x = 0."""
-    count = len(ball.pieces)
+    mesh = ball.mesh
     deck.keyword("SECTION_SOLID", [1, 1], names="secid elform")
     deck.keyword("HOURGLASS", [1, 6, 1.0], names="hgid ihq qm")
     for number, piece in enumerate(ball.pieces, start=1):
@@ -407,9 +384,8 @@ def _ball(deck: Cards, ball: Ball, mesh: Mapping[str, Any]) -> None:
         deck.text(f"{ball.name}: {piece.name}")
         deck.card([number, 1, number, 0, 1])
         _material(deck, number, piece.material, float(mesh["density"][number - 1]))
-    deck.keyword("SET_PART_LIST", [BALL_SET], list(range(1, count + 1)), names="sid")
-    places = mesh["nodes"] + [ball.diameter / 2.0, 0.0, 0.0]
-    deck.nodes(places)
+    deck.keyword("SET_PART_LIST", [BALL_SET], list(range(1, len(ball.pieces) + 1)), names="sid")
+    deck.nodes(mesh["nodes"] + [ball.diameter / 2.0, 0.0, 0.0])
     deck.elements("SOLID", (mesh["piece"].astype(int) + 1).tolist(), mesh["elements"].astype(int) + 1)
 
 
@@ -418,13 +394,11 @@ def _material(deck: Cards, number: int, material: Material, density: float) -> N
     branches, constants, shear = material.maxwell, material.constants, material.shear
     prony = [[branch.modulus * shear, 1.0 / branch.time] for branch in branches]
     start, rubber = [number, density, material.poisson], [number, density, material.poisson, 0, len(branches)]
-    allowed = "a law that LS-DYNA has a card for, such as ogden"
-    if material.energy is not None:
-        raise InputError("energy", material.energy, allowed)
     if material.volumetric is not None:
         raise InputError("volumetric", material.volumetric, "left out: LS-DYNA has a change of volume of its own")
-    if material.law in REGISTERED:
-        raise InputError("law", material.law, allowed)
+    if material.energy is not None or material.law in REGISTERED:
+        name = "law" if material.energy is None else "energy"
+        raise InputError(name, getattr(material, name), "a law that LS-DYNA has a card for, such as ogden")
     if material.law == "ogden":
         terms = [[value for name, value in constants.items() if name.startswith(kind)] for kind in ("mu", "alpha")]
         deck.keyword("MAT_OGDEN_RUBBER", rubber, *terms, names="mid ro pr n nv")
@@ -454,7 +428,7 @@ def _plane(deck: Cards, case: Case) -> None:
     speed = units.parse(case.delivery["speed"], "speed")
     angle = units.parse(case.delivery.get("angle", 0.0), "angle")
     velocity = [-speed * math.cos(angle), speed * math.sin(angle), 0.0]
-    deck.keyword("INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, 0.0, *velocity], [None], names="id styp omega vx vy vz")
+    deck.keyword("INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, 0.0, *velocity], [None], names=MOTION)
     if case.friction >= 1.0:
         deck.comment(f"Friction is {case.friction:g}; a rigid wall takes 1 and more as sticking without limit.")
     deck.keyword("RIGIDWALL_PLANAR", [0], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, min(float(case.friction), 1.0)], names="nsid")

@@ -11,8 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import pairwise
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -205,7 +204,14 @@ class Impact(Described):
         frames = record.frames
         self.frames: NDArray[Any] = frames[:, : record.ball_nodes]
         self.head_frames: NDArray[Any] = frames[:, record.ball_nodes :]
-        self.fields, self.head_fields = _fields(record, settings, ball, head)
+        self.fields: ElementFields | None = None
+        self.head_fields: ElementFields | None = None
+        if settings.fields and len(frames):
+            of_ball, of_head = record.fields
+            self.fields = ElementFields.from_core(of_ball, len(frames), ball.elements, shells=False)
+            if head is not None:
+                shells = isinstance(head, ShellHead)
+                self.head_fields = ElementFields.from_core(of_head, len(frames), head.elements, shells=shells)
         self.ball = ball
         self.given = given
         self.friction = friction
@@ -337,21 +343,6 @@ class Impact(Described):
         return f"<finite element impact of {self.ball.name}: {self.steps} steps in {self.wall:.2f} s{state}>"
 
 
-def _fields(
-    record: FemImpact, settings: Settings, ball: Ball, head: MeshedHead | None
-) -> tuple[ElementFields | None, ElementFields | None]:
-    """Return the fields of ball and head."""
-    frames = len(record.frame_times)
-    if not settings.fields or frames == 0:
-        return None, None
-
-    of_ball, of_head = record.fields
-    ball_fields = ElementFields.from_core(of_ball, frames, ball.elements, shells=False)
-    if head is None:
-        return ball_fields, None
-    return ball_fields, ElementFields.from_core(of_head, frames, head.elements, shells=isinstance(head, ShellHead))
-
-
 FEWEST = 10
 """Tetrahedra round a node of the surface for a fit by themselves: it has four coefficients."""
 FLAT = 1e-3
@@ -362,17 +353,11 @@ FLAT = 1e-3
 class SurfaceRecovery:
     """How stress at the nodes of a surface follows from that at the centres of elements.
 
-    Attributes
-    ----------
-    nodes
-        Nodes of the surface, in ascending order, shape (n,).
-    quads
-        The surface as quadrilaterals between nodes of the mesh, shape (m, 4); a triangle has its last corner twice.
-    elements, weights
-        Elements whose stress makes that of each node, and their shares, shape (n, most); shares of 0 fill up.
-    extrapolated
-        Whether each node has a node inside to extrapolate from. Others, such as those of a wall of one layer, take the
-        mean of the elements round them, which do not see how the wall bends.
+    ``nodes`` are those of the surface, in ascending order, shape (n,), and ``quads`` the quadrilaterals between them,
+    shape (m, 4); a triangle has its last corner twice. ``elements`` are those whose stress makes that of each node, and
+    ``weights`` their shares, shape (n, most); shares of 0 fill up. ``extrapolated`` says whether each node has a node
+    inside to extrapolate from: others, such as those of a wall of one layer, take the mean of the elements round them,
+    which do not see how the wall bends.
     """
 
     nodes: NDArray[Any]
@@ -383,102 +368,65 @@ class SurfaceRecovery:
 
     @classmethod
     def of_mesh(cls, nodes: NDArray[Any], *elements: NDArray[Any]) -> SurfaceRecovery:
-        """Prepare the recovery for a mesh.
+        """Prepare the recovery for a mesh of ``nodes`` [m], shape (k, 3).
 
-        Parameters
-        ----------
-        nodes
-            Places of the nodes [m], shape (k, 3).
-        elements
-            Nodes of hexahedra, shape (l, 8), of ten-node tetrahedra, shape (l, 10), or of both in this order.
+        ``elements`` are the nodes of hexahedra, shape (l, 8), of ten-node tetrahedra, shape (l, 10), or of both in this
+        order.
         """
-        sides = [_as_quads(outer_sides(each) if each.shape[1] == 8 else outer_triangles(each)) for each in elements]
-        quads = np.concatenate(sides)
-        on_surface = np.zeros(len(nodes), bool)
-        on_surface[quads] = True
+        quads = np.concatenate([
+            outer_sides(each) if each.shape[1] == 8 else outer_triangles(each)[:, [0, 1, 2, 2]] for each in elements
+        ])  # fmt: skip
+        surface = np.unique(quads)
+        on_surface = np.isin(np.arange(len(nodes)), surface)
         centres = np.concatenate([nodes[each].mean(axis=1) for each in elements])
-        members = np.concatenate([each.ravel() for each in elements])
-        owners = np.repeat(
-            np.arange(len(centres)), np.concatenate([np.full(len(each), each.shape[1]) for each in elements])
-        )
-        corners_of = [row for each in elements for row in each]
+        nodes_of = [row for each in elements for row in each]
+        owners, members = np.repeat(np.arange(len(nodes_of)), [*map(len, nodes_of)]), np.concatenate(nodes_of)
         order = np.argsort(members, kind="stable")
-        ends = np.searchsorted(members[order], np.arange(len(nodes) + 1))
-        around = [owners[order[start:end]] for start, end in pairwise(ends)]
-        surface = np.flatnonzero(on_surface)
-        if elements[-1].shape[1] == 10:
-            ends_of = {int(row[4 + at]): (int(row[i]), int(row[j])) for row in elements[-1]
-                       for at, (i, j) in enumerate(EDGES)}  # fmt: skip
-            patches = _patches_at_corners(nodes, surface, around, centres, corners_of, ends_of)
-            inside = [True] * len(surface)
-        else:
-            patches, inside = _patches_from_inside(nodes, surface, around, centres, corners_of, on_surface)
-        most = max(len(shares) for _, shares in patches)
+        around = np.split(owners[order], np.searchsorted(members[order], np.arange(1, len(nodes))))
+        # The two ends of the edge in whose middle a node of tetrahedra is.
+        ends_of = {int(row[4 + at]): (int(row[i]), int(row[j])) for each in elements if each.shape[1] == 10
+                   for row in each for at, (i, j) in enumerate(EDGES)}  # fmt: skip
+
+        def nodes_round(patch: NDArray[Any]) -> NDArray[Any]:
+            return np.unique(np.concatenate([nodes_of[each] for each in patch]))
+
+        def from_inside(node: int) -> Patch:
+            """Return the patch of the nearest node inside."""
+            corners, own = nodes_round(around[node]), around[node]
+            near = corners[~on_surface[corners]]
+            if near.size == 0:
+                return own, np.full(len(own), 1.0 / len(own)), False
+            middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
+            return around[middle], _shares_at(nodes[node], nodes[middle], centres[around[middle]]), True
+
+        @cache
+        def at_corner(node: int) -> tuple[NDArray[Any], NDArray[Any]]:
+            """Return the tetrahedra round a corner, which lie at several depths, and the neighbours of few."""
+            patch = around[node]
+            if len(patch) < FEWEST:
+                patch = np.unique(np.concatenate([around[each] for each in nodes_round(patch)]))
+            return patch, _shares_at(nodes[node], nodes[node], centres[patch])
+
+        def of_tetrahedra(node: int) -> Patch:
+            """Return the patch of a corner; a node in the middle of an edge takes the mean of its ends."""
+            ends = ends_of.get(node, (node,))
+            patch, shares = (np.concatenate(each) for each in zip(*map(at_corner, ends), strict=True))
+            return patch, shares / len(ends), True
+
+        patches = [of_tetrahedra(node) if ends_of else from_inside(node) for node in surface.tolist()]
+        most = max(len(shares) for _, shares, _ in patches)
         chosen, weights = np.zeros((len(surface), most), int), np.zeros((len(surface), most))
-        for row, (patch, shares) in enumerate(patches):
+        for row, (patch, shares, _) in enumerate(patches):
             chosen[row, : len(patch)], weights[row, : len(patch)] = patch, shares
-        return cls(surface, quads, chosen, weights, np.array(inside))
+        return cls(surface, quads, chosen, weights, np.array([inside for *_, inside in patches]))
 
     def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
 
 
-Patches = list[tuple[NDArray[Any], NDArray[Any]]]
-"""Elements and their shares, for each node of a surface."""
-
-
-def _patches_from_inside(
-    nodes: NDArray[Any],
-    surface: NDArray[Any],
-    around: list[NDArray[Any]],
-    centres: NDArray[Any],
-    corners_of: list[NDArray[Any]],
-    on_surface: NDArray[Any],
-) -> tuple[Patches, list[bool]]:
-    """Return the patch of the nearest node inside for each node of a surface, and whether there is such a node."""
-    patches, inside = [], []
-    for node in surface:
-        corners = np.unique(np.concatenate([corners_of[each] for each in around[node]]))
-        near = corners[~on_surface[corners]]
-        inside.append(near.size > 0)
-        if near.size == 0:
-            patches.append((around[node], np.full(len(around[node]), 1.0 / len(around[node]))))
-            continue
-        middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
-        patches.append((around[middle], _shares_at(nodes[node], nodes[middle], centres[around[middle]])))
-    return patches, inside
-
-
-def _patches_at_corners(
-    nodes: NDArray[Any],
-    surface: NDArray[Any],
-    around: list[NDArray[Any]],
-    centres: NDArray[Any],
-    corners_of: list[NDArray[Any]],
-    ends_of: dict[int, tuple[int, int]],
-) -> Patches:
-    """Return the patch of each node of a surface of tetrahedra: the elements round it, which lie at several depths.
-
-    Where they are few, their neighbours belong to it too. A node in the middle of an edge takes the mean of its ends,
-    which ``ends_of`` names.
-    """
-
-    def at_corner(node: int) -> tuple[NDArray[Any], NDArray[Any]]:
-        patch = around[node]
-        if len(patch) < FEWEST:
-            neighbours = np.unique(np.concatenate([corners_of[each] for each in patch]))
-            patch = np.unique(np.concatenate([around[each] for each in neighbours]))
-        return patch, _shares_at(nodes[node], nodes[node], centres[patch])
-
-    corners = sorted({end for node in surface for end in ends_of.get(int(node), (int(node),))})
-    of_corner = {node: at_corner(node) for node in corners}
-    patches = []
-    for node in surface:
-        ends = ends_of.get(int(node), (int(node),))
-        patch, shares = (np.concatenate(each) for each in zip(*(of_corner[end] for end in ends), strict=True))
-        patches.append((patch, shares / len(ends)))
-    return patches
+Patch = tuple[NDArray[Any], NDArray[Any], bool]
+"""Elements, their shares in a node of the surface, and whether these extrapolate from inside."""
 
 
 def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any]) -> NDArray[Any]:
@@ -487,11 +435,6 @@ def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any])
     size = abs(away).max()
     terms = np.column_stack([np.ones(len(away)), away / size])
     return np.array([1.0, *there / size]) @ np.linalg.pinv(terms, rcond=FLAT)
-
-
-def _as_quads(sides: NDArray[Any]) -> NDArray[Any]:
-    """Return sides of elements as quadrilaterals; a triangle has its last corner twice."""
-    return sides if sides.shape[1] == 4 else sides[:, [0, 1, 2, 2]]
 
 
 class Displacement(NamedTuple):

@@ -1,29 +1,33 @@
-"""Runs of impacts by finite elements: a ball thrown at a rigid plane, or struck by a club."""
+"""Impacts by finite elements: a ball thrown at a rigid plane, or struck by a club; and exact derivatives of a launch.
+
+Derivatives are those of the same code, which runs on numbers with derivatives.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import FRICTION_LIMITS, Ball as RigidBall
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import Parameter
-from clubface.errors import EdgeWarning, InputError
+from clubface.errors import EdgeWarning, InputError, ShotError
 from clubface.fem import core
 from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball as ball_of, friction_value
-from clubface.fem.core import Progress, core_call
+from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import head_names
-from clubface.fem.heads.meshed import MeshedHead, mesh_of
+from clubface.fem.heads.meshed import MeshedHead, ShellHead, mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.settings import Settings, settings_of
-from clubface.simulation.inputs import Delivery
-from clubface.simulation.results import input_columns
-from clubface.support.checks import warn_once
+from clubface.simulation.inputs import Delivery, as_values, equipment, shots
+from clubface.simulation.results import input_columns, outputs
+from clubface.support.checks import check_choice, check_names, warn_once
 from clubface.support.files import builtin_names, is_path
 from clubface.support.renamed import renamed_arguments
 
@@ -31,7 +35,7 @@ if TYPE_CHECKING:
     from clubface.fem.core import FemImpact
     from clubface.simulation.inputs import Shots
 
-__all__ = ["strike", "throw"]
+__all__ = ["Derivatives", "sensitivity", "strike", "throw", "variables"]
 
 AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
 
@@ -144,8 +148,6 @@ def strike(
     ball, friction, settings, progress
         As for :func:`throw`.
     """
-    from clubface.simulation.inputs import as_values
-
     made, how = ball_of(ball), settings_of(settings)
     mu = friction_of(friction, made)
     given = dict(as_values(delivery, values))
@@ -184,8 +186,6 @@ def face_of(head: MeshedHead | None, club: Club, inputs: list[float]) -> dict[st
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
     """Return the shot as the core takes it."""
-    from clubface.simulation.inputs import equipment, shots
-
     if isinstance(club, str) and club in head_names() and club not in builtin_names("clubs"):
         raise InputError("club", club, f'a club; the meshed head of this name is clubface.fem.head("{club}")')
     for name, value in delivery.items():
@@ -202,3 +202,120 @@ def inputs_of(shot: Shots) -> list[float]:
 def friction_of(given: Any, made: Ball) -> float:
     """Return the coefficient of friction that was given, checked, or that of the ball."""
     return made.friction if given is None else friction_value(given)
+
+
+VARIABLES_A_RUN = 4
+
+
+class Derivatives(NamedTuple):
+    """The launch of one impact and its derivatives.
+
+    Attributes
+    ----------
+    values
+        Launch quantities by name [SI]. Contact time and peak force have no derivatives and are NaN.
+    variables
+        Names of the variables.
+    jacobian
+        Derivatives [SI], shape (launch quantities, variables).
+    """
+
+    values: dict[str, float]
+    variables: tuple[str, ...]
+    jacobian: NDArray[Any]
+
+    def by(self, quantity: str, variable: str) -> float:
+        """Return the derivative of one quantity by one variable [SI]."""
+        names = list(self.values)
+        check_choice("quantity", quantity, names)
+        check_choice("variable", variable, self.variables)
+        return float(self.jacobian[names.index(quantity), self.variables.index(variable)])
+
+
+@renamed_arguments(which="ball")
+def variables(club: str | os.PathLike[str] | Club | ShellHead, *, ball: AnyBall = None) -> list[str]:
+    """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
+
+    A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of
+    its file (Poisson's ratio stays the same), "poisson" and "bulk" (the elastic constants stay the same), "density",
+    and "maxwell.0.modulus", "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in
+    "head.face.thickness", and "youngs", "poisson" and "density". The mesh of such a head stays as it is, and its club
+    is no variable.
+    """
+    made, head, rigid = ball_of(ball), *_head_of(club)
+    inputs = inputs_of(one_shot(rigid, {"speed": 1.0}, made))
+    names = core.fem_variables(case(made, {"head": {"inputs": inputs, "mesh": head}}, 0.0, Settings()))
+    for piece in made.pieces:
+        names.insert(names.index(f"{piece.name}.bulk"), f"{piece.name}.poisson")
+    return names
+
+
+def _slopes(made: Ball, name: str) -> dict[str, float]:
+    """Return what a variable does to those of the core, by name: its constants leave the bulk modulus alone."""
+    for piece in made.pieces:
+        bulk, key = f"{piece.name}.bulk", name.removeprefix(f"{piece.name}.")
+        material = piece.material
+        if name == f"{piece.name}.poisson":
+            # K = 2 G (1 + nu) / (3 (1 - 2 nu)).
+            return {bulk: 2.0 * material.shear / (1.0 - 2.0 * material.poisson) ** 2}
+        if name != key and key in material.constants:
+            return {name: 1.0, bulk: material.shear_slope(key) * material.bulk / material.shear}
+    return {name: 1.0}
+
+
+def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
+    """Return the mesh of a head of shells as the core takes it, and the rigid club."""
+    if isinstance(club, MeshedHead) and not isinstance(club, ShellHead):
+        raise InputError("club", club.name, "a club, whose head is rigid, or a head of shells")
+    return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
+
+
+@renamed_arguments(which="ball")
+def sensitivity(
+    club: str | os.PathLike[str] | Club | ShellHead,
+    delivery: Delivery | Mapping[str, Any] | None = None,
+    *,
+    by: Iterable[str],
+    ball: AnyBall = None,
+    friction: Any = None,
+    settings: Settings | None = None,
+    progress: Progress | None = None,
+    **values: Any,
+) -> Derivatives:
+    """Differentiate the launch of one impact.
+
+    Parameters
+    ----------
+    club, delivery, **values, ball, friction, settings
+        As for :func:`clubface.fem.strike`. If left out, the settings end the run soon after the last touch.
+    by
+        Names of variables, see :func:`variables`. Every four of them take one run.
+    progress
+        Called with the number of runs done, in fractions, and the number of runs.
+    """
+    made = ball_of(ball)
+    mu = friction_of(friction, made)
+    how = Settings(until_separation=True) if settings is None else settings_of(settings)
+    names = (by,) if isinstance(by, str) else tuple(by)
+    check_names("variable", names, variables(club, ball=made))
+    head, rigid = _head_of(club)
+    inputs = inputs_of(one_shot(rigid, dict(as_values(delivery, values)), made))
+    directions = [list(_slopes(made, name).items()) for name in names]
+    runs = -(-len(directions) // VARIABLES_A_RUN)
+    one = case(made, {"head": {"inputs": inputs, "mesh": head}}, mu, replace(how, frames=0))
+
+    def all_runs(watch: Progress) -> tuple[Any, Any]:
+        return core.fem_sensitivity(one, directions, lambda number, time, whole: watch(number + time / whole, runs))
+
+    def with_first_of(safeties: Sequence[float | None]) -> tuple[Any, Any]:
+        """Return launch and derivatives by the first time step with which no element fails."""
+        one["run"]["safety"] = safeties[0]
+        try:
+            return core_call(all_runs, progress=progress)
+        except ShotError as error:
+            if error.parameter != THE_RUN or len(safeties) == 1:
+                raise
+            return with_first_of(safeties[1:])
+
+    launch, jacobian = with_first_of(how.safeties())
+    return Derivatives(dict(zip(outputs(), map(float, launch), strict=True)), names, jacobian)
