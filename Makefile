@@ -15,7 +15,7 @@ export PIP_CONSTRAINT := $(CURDIR)/constraints-dev.txt
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
 RUST_SOURCES := $(wildcard Cargo.toml Cargo.lock crates/*/Cargo.toml) $(shell find crates -name '*.rs')
-RUST_TESTED := --workspace --exclude clubface-python --locked
+RUST_TESTED := --workspace --exclude clubface-python --exclude clubface-benches --locked
 # A sample: every 500th error of the crates that compute, which takes minutes.
 RUST_MUTANTS := --package clubface-math --package clubface-impact --package clubface-fem --profile release \
 	--shard 7/500 --sharding round-robin --output target --minimum-test-timeout 120
@@ -205,7 +205,7 @@ golden: dev ## the numbers that Rust, Python, the command line and the studio mu
 	$(PYTHON) scripts/golden_numbers.py
 
 bench: dev ## speed, printed next to the computed results
-	cargo bench $(RUST_TESTED)
+	cargo bench --package clubface-benches --locked
 	$(PYTHON) -m pytest benchmarks --benchmark-only
 
 LULESH ?=

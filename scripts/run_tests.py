@@ -11,7 +11,9 @@ from pathlib import Path
 
 # The profile of the build, so that what was compiled for it is linked, and what people run is tested. The bindings hold
 # no physics and are tested from Python; their test binary could not link without an interpreter.
-RUST = ["cargo", "test", "--release", "--workspace", "--exclude", "clubface-python", "--locked", "--no-fail-fast"]
+# The benchmarks are compiled by their own command.
+EXCLUDED = ("--exclude", "clubface-python", "--exclude", "clubface-benches")
+RUST = ["cargo", "test", "--release", "--workspace", *EXCLUDED, "--locked", "--no-fail-fast"]
 PYTHON = [sys.executable, "-m", "pytest", "--color=no", "-n", str(min(os.cpu_count() or 1, 8)), "--dist", "worksteal"]
 
 STUDIO = ["npm", "--prefix", "studio", "run", "--silent", "test"]

@@ -198,7 +198,15 @@ def test_planted_circles_and_upward_arrows_are_found(tmp_path, text, result, up)
 SELECTIONS = {
     "the package": ("--package", "clubface-python", "--edges", "normal"),
     "the FMU": ("--package", "clubface-fmi", "--edges", "normal"),
-    "the tests": ("--workspace", "--exclude", "clubface-python", "--edges", "normal,dev"),
+    "the tests": (
+        "--workspace",
+        "--exclude",
+        "clubface-python",
+        "--exclude",
+        "clubface-benches",
+        "--edges",
+        "normal,dev",
+    ),
 }
 """What `make build` and `make test` compile."""
 

@@ -166,7 +166,7 @@ def test_the_name_of_the_library_ends_in_the_number_of_its_interface(install):
 
 
 def test_make_installs_into_the_prefix():
-    planned = ran("make", "-n", "libclubface", "PREFIX=/a folder", cwd=ROOT)
+    planned = ran("make", "--no-print-directory", "-n", "libclubface", "PREFIX=/a folder", cwd=ROOT)
     assert planned.strip() == 'scripts/install-libclubface.sh "/a folder"'
 
 

@@ -68,7 +68,7 @@ def test_panels_that_shared_the_names_of_an_axis_have_them_each(own, share_y):
 def test_a_report_has_one_picture_for_screen_and_paper_and_one_for_telephones():
     result = Result("test", "A test", draw=lambda: [picture()])
     (block,) = picture_blocks(result)
-    sizes = [float(re.search(r'width="([\d.]+)pt"', svg)[1]) / 72 for svg in (block.svg, block.narrow)]
+    sizes = [float(re.search(r'width="([\d.]+)pt"', svg)[1]) / 72 for svg in (block.svg, block.narrow())]
     assert sizes == pytest.approx([7.2, NARROW], abs=0.01)
     page = as_html([block])
     assert page.count("image/svg+xml") == 3  # both pictures, and the file to save

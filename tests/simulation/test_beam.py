@@ -85,8 +85,8 @@ def test_a_head_on_a_rigid_beam_moves_as_one_rigid_body():
     scale = np.sqrt(np.outer(np.diag(total), np.diag(total)))
     for matching in MATCHINGS:
         computed = np.linalg.inv(modes(stiff, HEAD, TIP, AXIS).mobility(450e-6, matching))
-        # Stiff, not rigid: the butt swings at 2e5 rad/s, and gives way by (pi / (w T))^2 = 1e-3 of what it adds.
-        assert (computed - total) / scale == pytest.approx(0.0, abs=1e-3)
+        # Stiff, not rigid: the butt swings at 2e5 rad/s, and gives way by (pi / (w T))^2 = 1.2e-3 of what it adds.
+        assert (computed - total) / scale == pytest.approx(0.0, abs=1.3e-3)
 
 
 def test_the_mobility_is_what_a_half_sine_leaves():

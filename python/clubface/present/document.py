@@ -8,7 +8,7 @@ import html
 import io
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -72,13 +72,13 @@ class TextTable(NamedTuple):
 class DocumentPicture(NamedTuple):
     """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None.
 
-    ``narrow`` is the text of the SVG that a telephone shows, if there is one.
+    ``narrow`` draws what a telephone shows, and returns the text of its SVG: Markdown has no use for it.
     """
 
     shows: str
     svg: str
     data: Data | None = None
-    narrow: str | None = None
+    narrow: Callable[[], str] | None = None
 
 
 class Listing(NamedTuple):
@@ -208,7 +208,7 @@ def _html(block: Block) -> str:
     tall = ' class="tall"' if _is_tall(block.svg) else ""
     image = f'<img{tall} alt="{shows}" src="{source}">'
     if block.narrow is not None:
-        narrow = _in_the_page(block.narrow, "image/svg+xml")
+        narrow = _in_the_page(block.narrow(), "image/svg+xml")
         image = f'<picture><source media="screen and (max-width:600px)" srcset="{narrow}">{image}</picture>'
     return f"<figure>{image}<figcaption>{shows}</figcaption>{_saved(links)}</figure>"
 

@@ -24,6 +24,7 @@ from clubface.present.document import (
     write_document,
 )
 from clubface.present.terminal import headings_and_rows, values_of
+from clubface.results.pictures import Picture
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
 from clubface.results.table import Table
@@ -111,7 +112,11 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
     for each in pictures:
         headings, rows = picture_data(each)
         data = Data(each.name, headings, rows)
-        yield DocumentPicture(each.caption, svg(draw(each, units)), data, svg(draw_narrow(each, units)))
+
+        def narrow(picture: Picture = each) -> str:
+            return svg(draw_narrow(picture, units))
+
+        yield DocumentPicture(each.caption, svg(draw(each, units)), data, narrow)
 
 
 def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix: str = "") -> Iterator[Block]:

@@ -1,11 +1,12 @@
 //! Cost of a head of shells (that of Roh and Lee, struck on its face), in nanoseconds per element and step, next to the
 //! energies it computes.
 //!
-//! `cargo bench -p clubface-fem --bench shells`: the least time of a step, nodes included, which is what the machine
+//! `cargo bench -p clubface-benches --bench shells`: the least time of a step, nodes included, which is what the machine
 //! does when nobody else uses it.
 
 #![allow(missing_docs)]
 
+use clubface_benches::{least_time, thread_pool};
 use clubface_fem::contact::Contact;
 use clubface_fem::element::{Patch, Rule, ShellMaterial};
 use clubface_fem::environment::Environment;
@@ -13,7 +14,6 @@ use clubface_fem::head::{DeformableHead, Driver, ShellHead};
 use clubface_fem::material::Hardening;
 use clubface_fem::solve::Structure;
 use clubface_math::{Row, Vec3};
-use std::time::{Duration, Instant};
 
 /// Speed at which the middle of the face is struck, m/s.
 const SPEED: f64 = 30.0;
@@ -78,19 +78,16 @@ fn main() {
         ("saturates, five points", &yields(1e8)),
     ];
     for threads in [1, 2] {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let pool = thread_pool(threads);
         for (name, metal) in metals {
             let mut structure = struck(&head, metal);
             let step = 0.9 * structure.stable_step(40);
-            let mut least = Duration::MAX;
-            pool.install(|| {
-                for _ in 0..STEPS / MARCH {
-                    let start = Instant::now();
+            let least = pool.install(|| {
+                least_time(STEPS / MARCH, || {
                     structure.integrate(&mut Free, step, MARCH, &mut |_, _| true);
-                    least = least.min(start.elapsed());
-                }
+                })
             });
-            let each = least.as_secs_f64() * 1e9 / (MARCH * head.shells.quads.len()) as f64;
+            let each = least * 1e9 / (MARCH * head.shells.quads.len()) as f64;
             let energy = structure.energy();
             println!(
                 "{name}, {threads} threads: {each:.1} ns per element and step; after {:.0} us {:.4} J elastic, {:.4} J plastic, {:.4} J in stabilised modes",

@@ -1,13 +1,14 @@
 //! Cost of the ball on a rigid plane (the reference case), in nanoseconds per element and step, next to the launch it
 //! computes.
 //!
-//! `cargo bench -p clubface-fem --bench ball`: criterion's figures for some steps after the impact in which nothing
+//! `cargo bench -p clubface-benches --bench ball`: criterion's figures for some steps after the impact in which nothing
 //! rests, and a table with the least time of such steps during it and the least of some runs as anybody gets them,
 //! with records and ledger and the core at rest in every second step: that is what the machine does when nobody else
 //! uses it.
 
 #![allow(missing_docs)]
 
+use clubface_benches::{bulk_modulus, least_time, thread_pool};
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::cases::ball_against_plane;
 use clubface_fem::contact::Contact;
@@ -17,7 +18,7 @@ use clubface_fem::material::{Hencky, Material, MooneyRivlin};
 use clubface_fem::solve::{Options, Simulation, SimulationResult, Structure};
 use clubface_math::Vec3;
 use criterion::Criterion;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Steps at a time.
 const MARCH: usize = 8;
@@ -31,21 +32,21 @@ struct Case {
     elements: usize,
 }
 
-fn bulk(shear: f64, poisson: f64) -> f64 {
-    2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson))
-}
-
 /// The reference case, `refine` times as fine.
 fn impact(refine: usize) -> Simulation<f64> {
     let core = Material {
         law: MooneyRivlin { c10: 4e6, c01: 1e6 }.law(),
-        bulk: bulk(10e6, 0.49),
+        bulk: bulk_modulus(10e6, 0.49),
         maxwell: vec![],
         density: 1150.0,
     };
     let shear = 350e6 / 2.8;
-    let cover =
-        Material { law: Hencky { shear }.law(), bulk: bulk(shear, 0.4), maxwell: vec![], density: 950.0 };
+    let cover = Material {
+        law: Hencky { shear }.law(),
+        bulk: bulk_modulus(shear, 0.4),
+        maxwell: vec![],
+        density: 950.0,
+    };
     let piece = |name: &str, radius: f64, layers: usize, material: Material<f64>| BallPiece {
         name: name.into(),
         radius,
@@ -103,21 +104,18 @@ fn main() {
     let mut table = String::new();
     for refine in [1, 2] {
         for threads in [1, 2] {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let pool = thread_pool(threads);
             let mut case = case(refine);
             let steps = (1e-3 / case.step).ceil() as usize;
-            let mut least = Duration::MAX;
             let mut peak = 0.0_f64;
-            pool.install(|| {
-                for _ in 0..steps / MARCH {
-                    let start = Instant::now();
+            let least = pool.install(|| {
+                least_time(steps / MARCH, || {
                     case.integrate();
-                    least = least.min(start.elapsed());
                     peak = peak.max(case.contact.resultant().normal);
-                }
+                })
             });
             let launch = case.structure.body_motion(0..case.structure.positions.len());
-            let each = |time: Duration| time.as_secs_f64() * 1e9 / (MARCH * case.elements) as f64;
+            let each = |time: f64| time * 1e9 / (MARCH * case.elements) as f64;
             let result = quickest(refine, &pool);
             table += &format!(
                 "fineness {refine}, {threads} threads: {:.1} ns per element and step, nothing rests; {}\n{:>24} {:.1} ns in a whole run; {}\n",

@@ -1,14 +1,15 @@
 //! Cost of the case of Roh and Lee as a whole, next to the launch it computes: their ball and head of shells, then the
 //! same struck by a rigid head.
 //!
-//! `cargo bench -p clubface-fem --bench paper`: the least of some runs, which is what the machine does when nobody
+//! `cargo bench -p clubface-benches --bench paper`: the least of some runs, which is what the machine does when nobody
 //! else uses it; what a step is made of; the memory the process has taken; and two runs side by side against one.
 
 #![allow(missing_docs)]
 
-#[path = "../tests/fem/first_touch.rs"]
+#[path = "../../clubface-fem/tests/fem/first_touch.rs"]
 mod first_touch;
 
+use clubface_benches::{bulk_modulus, least_time, thread_pool};
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_rigid_head};
 use clubface_fem::element::Element;
@@ -24,18 +25,17 @@ const FRICTION: f64 = 0.3;
 
 /// The ball called "paper".
 fn ball() -> BallConstruction<f64> {
-    let bulk = |shear: f64, poisson: f64| 2.0 * shear * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
     let (c10, c01) = (6.44e6, 0.344e6);
     let core = Material {
         law: MooneyRivlin { c10, c01 }.law(),
-        bulk: bulk(2.0 * (c10 + c01), 0.49),
+        bulk: bulk_modulus(2.0 * (c10 + c01), 0.49),
         maxwell: vec![Maxwell { modulus: 5.07, time: 5.02e-6 }],
         density: 1150.0,
     };
     let shear = 200e6 / (2.0 * 1.45);
     let cover = Material {
         law: Hencky { shear }.law(),
-        bulk: bulk(shear, 0.45),
+        bulk: bulk_modulus(shear, 0.45),
         maxwell: vec![Maxwell { modulus: 4.25, time: 1.68e-6 }],
         density: 950.0,
     };
@@ -47,7 +47,7 @@ fn ball() -> BallConstruction<f64> {
 
 /// Runs a case on some threads; returns the time of its loop, s, and its figures.
 fn run(make: &(dyn Fn() -> Simulation<f64> + Sync), options: &Options, threads: usize) -> (f64, String) {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    let pool = thread_pool(threads);
     let mut impact = make();
     let result = pool.install(|| impact.run(options, &mut |_| true)).expect("the options are valid");
     assert!(result.stopped.is_none(), "{:?}", result.stopped);
@@ -71,19 +71,17 @@ fn least(mut time: impl FnMut() -> f64) -> f64 {
 
 /// Share of the contact in the steps about the peak of the force, on one thread.
 fn contact_share(mut impact: Simulation<f64>) -> f64 {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("threads");
+    let pool = thread_pool(1);
     let options = Options { duration: 280e-6, ..Options::default() };
     let result = pool.install(|| impact.run(&options, &mut |_| true)).expect("the options are valid");
     let step = result.wall / result.steps as f64;
     let (structure, contact) = (&impact.structure, &mut impact.contact);
-    let alone = least(|| {
-        let start = Instant::now();
+    let alone = least_time(RUNS, || {
         for _ in 0..100 {
             contact.assemble(&structure.positions, &structure.velocities, result.step);
         }
-        start.elapsed().as_secs_f64() / 100.0
     });
-    alone / step
+    alone / 100.0 / step
 }
 
 fn main() {

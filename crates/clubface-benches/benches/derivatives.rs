@@ -1,11 +1,12 @@
 //! Cost of derivatives: a launch with four of them compared with the launch alone, the ball called "modern" against a
 //! rigid driver.
 //!
-//! `cargo bench -p clubface-fem --bench derivatives`: the least CPU time of some runs in turn, on one thread, and
+//! `cargo bench -p clubface-benches --bench derivatives`: the least CPU time of some runs in turn, on one thread, and
 //! the least time of a step, which is what the machine does when nobody else uses it.
 
 #![allow(missing_docs)]
 
+use clubface_benches::least_time;
 use clubface_fem::ball::{BallConstruction, BallPiece};
 use clubface_fem::cases::{ball_against_deformable_head, ball_against_plane, ball_against_rigid_head};
 use clubface_fem::element::{Element, Kernels};
@@ -17,7 +18,6 @@ use clubface_fem::solve::{Options, Simulation};
 use clubface_impact::first_touch::FirstTouch;
 use clubface_impact::shot::{INPUT_COUNT, Shot, with_free_head};
 use clubface_math::Dual;
-use std::time::{Duration, Instant};
 
 /// Runs of each kind.
 const RUNS: usize = 5;
@@ -123,13 +123,10 @@ fn least_step<R: Kernels>(number: impl Fn(f64) -> R, speed: R) -> f64 {
     )
     .expect("the ball can be thrown");
     let step = 0.75 * structure.stable_step(40);
-    let mut least = Duration::MAX;
-    for _ in 0..(0.3e-3 / step) as usize / MARCH {
-        let start = Instant::now();
+    let least = least_time((0.3e-3 / step) as usize / MARCH, || {
         structure.integrate(contact.as_mut(), step, MARCH, &mut |_, _| true);
-        least = least.min(start.elapsed());
-    }
-    least.as_secs_f64() * 1e6 / MARCH as f64
+    });
+    least * 1e6 / MARCH as f64
 }
 
 /// Time that the processor spent on something, s: others may use it meanwhile.

@@ -1,10 +1,11 @@
 //! Cost of the kernels of solid elements, by element and law, in nanoseconds per element, next to a sum of what they
 //! computed.
 //!
-//! `cargo bench -p clubface-fem --bench kernels`: the least time of many, on one thread.
+//! `cargo bench -p clubface-benches --bench kernels`: the least time of many, on one thread.
 
 #![allow(missing_docs)]
 
+use clubface_benches::least_time;
 use clubface_fem::element::{Element, Patch};
 use clubface_fem::material::{
     Energy, Hardening, Hencky, Material, Maxwell, MooneyRivlin, OwnFunction, VonMises, law_from_name,
@@ -12,20 +13,13 @@ use clubface_fem::material::{
 use clubface_fem::mesh::{Fineness, SolidMesh, cubed_sphere};
 use clubface_math::Row;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 /// Times that something is done.
 const TIMES: usize = 200;
 
 /// The least time of something over all elements, ns each.
-fn least(elements: usize, mut work: impl FnMut()) -> f64 {
-    let mut least = Duration::MAX;
-    for _ in 0..TIMES {
-        let start = Instant::now();
-        work();
-        least = least.min(start.elapsed());
-    }
-    least.as_secs_f64() * 1e9 / elements as f64
+fn least(elements: usize, work: impl FnMut()) -> f64 {
+    least_time(TIMES, work) * 1e9 / elements as f64
 }
 
 /// Mooney-Rivlin as one would write it in C.
