@@ -11,8 +11,8 @@ from fuzz_readers import READERS
 from toml_types import flaw_of, must_be_refused, variants, with_value
 
 SHARE = {
-    "fem-head": 7, "fem-case": 30, "sweep-study": 26, "shells": 60, "club": 6, "prior": 1, "golfer": 1, "ball": 21,
-    "fem-ball": 21,
+    "fem-head": 11, "fem-case": 40, "sweep-study": 60, "shells": 120, "club": 6, "prior": 1, "golfer": 2, "ball": 60,
+    "fem-ball": 60,
 }  # fmt: skip
 """One wrong value in so many is tried, and two of each key, one where there are very many; ``make fuzz`` tries all."""
 OF_ELEMENTS = ("cube", "pieces")

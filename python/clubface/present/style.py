@@ -8,9 +8,10 @@ import os
 from collections.abc import Callable, Iterable
 from functools import cache, wraps
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import IO, Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
+from matplotlib.backend_bases import get_registered_canvas_class
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -29,6 +30,10 @@ DASHES: tuple[Any, ...] = (*_FOUR, *_FOUR, (0, (9, 1.2)))
 """So that a print without colour keeps them apart."""
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 ENDINGS = (".png", ".svg", ".pdf")
+UNDATED: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
+"""What says to each format that a picture has no date, so that the same figure gives the same bytes."""
+POINTS = 72.0
+"""An inch, as vector formats count."""
 WIDTH = 7.2
 """Inches: two columns of a journal."""
 
@@ -125,12 +130,20 @@ def check_ending(path: str | os.PathLike[str]) -> Path:
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write ``figure`` to ``path``, in the format of its ending; the same figure gives the same bytes."""
     target = check_ending(path)
-    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}, ".png": {}}
-    kind = target.suffix.lower()
-    _make_legible(figure)
     with whole_file(target) as file:
-        figure.savefig(file, format=kind[1:], metadata=dates[kind])
+        _render(figure, file, target.suffix.lower()[1:])
     return target
+
+
+def _render(figure: Figure, file: IO[Any], kind: str) -> None:
+    """Draw a figure into a file.
+
+    The canvas lays it out and draws it, once; ``Figure.savefig`` draws it before as well, to lay it out.
+    """
+    _make_legible(figure)
+    figure.set_dpi(mpl.rcParams["savefig.dpi"] if kind == "png" else POINTS)
+    canvas = get_registered_canvas_class(kind)(figure)
+    getattr(canvas, f"print_{kind}")(file, metadata=UNDATED[kind])
 
 
 def _make_legible(figure: Figure) -> None:
@@ -143,7 +156,6 @@ def _make_legible(figure: Figure) -> None:
 @styled
 def svg(figure: Figure) -> str:
     """Return ``figure`` as the text of an SVG file; the same figure gives the same text."""
-    _make_legible(figure)
     kept = io.StringIO()
-    figure.savefig(kept, format="svg", metadata={"Date": None})
+    _render(figure, kept, "svg")
     return kept.getvalue()

@@ -14,7 +14,8 @@ from clubface.inference.identification.intervals import interval_of
     # 0.95 has a standard error of 0.034 over 40 repeats, 0.022 over 100: less three of them. 50 samples end roughly.
     [
         pytest.param("slip", "least-squares", 50, 40, 0.84, marks=pytest.mark.study),
-        ("slip", "published", 50, 40, 0.84), ("adjusted", "published", 0, 100, 0.885),
+        pytest.param("slip", "published", 50, 40, 0.84, marks=pytest.mark.study),
+        ("adjusted", "published", 0, 100, 0.885),
     ],
 )  # fmt: skip
 def test_intervals_hold_the_truth_about_as_often_as_they_say(model, cost, samples, repeats, least):
