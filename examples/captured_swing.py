@@ -5,8 +5,8 @@ import tempfile
 import numpy as np
 
 import clubface
-from clubface.capture.swing import read_swing
-from clubface.capture.synthetic.laboratory import Cameras, synthesize
+from clubface.capture import read_swing
+from clubface.capture.synthetic import Cameras, synthesize
 
 
 def main() -> clubface.Launch:

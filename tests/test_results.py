@@ -1,7 +1,14 @@
 """What people do with results without thinking: print them, and change a list that they were handed."""
 
+import html
+import importlib.resources
+import json
+import pkgutil
 from contextlib import suppress
+from importlib import import_module
+from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -10,12 +17,16 @@ from clubface import published_data
 from clubface.design.rules import rules
 from clubface.fem.materials import laws
 from clubface.inference.evaluation import published
+from clubface.results.result import Presentable, Result
 from clubface.shots.monitors import FORMATS
 from clubface.simulation import results
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 DRIVE = {"speed": "105 mph", "loft": "12 deg"}
+MONITOR = Path(__file__).parent / "data" / "launch_monitors" / "trackman.csv"
 SHOT = {"delivery": DRIVE}
+
+SCHEMA = json.loads(importlib.resources.files("clubface").joinpath("data/schemas/result-1.json").read_text())
 
 RESULTS = {
     "a launch": lambda: clubface.impact("driver", DRIVE, toe=np.array([0.0, 0.01])),
@@ -31,6 +42,11 @@ RESULTS = {
     "a comparison": lambda: clubface.compare({each: {"club": each, **SHOT} for each in ("driver", "3-wood")}),
     "the best loft": lambda: clubface.best_loft(45.0, club="driver"),
     "a posterior": lambda: clubface.infer({"ball_speed": "150 mph", "launch": "13 deg"}, club="driver", samples=100),
+    "why a shot flies as it does": lambda: clubface.explain("driver", {**DRIVE, "path": "-3 deg"}),
+    "recorded shots": lambda: clubface.shots.read(MONITOR),
+    "what a shaft takes part in": lambda: clubface.hosel_reaction(
+        clubface.impact(clubface.club("driver").on_shaft("graphite"), DRIVE)
+    ),
     "a club": lambda: clubface.club("driver"),
     "a ball": lambda: clubface.ball("modern"),
 }  # fmt: skip
@@ -47,6 +63,61 @@ def test_printing_a_result_computes_nothing(monkeypatch, name):
         monkeypatch.setattr(f"clubface.simulation.core.{each}", computed)
     assert repr(made)
     assert str(made)
+
+
+DESCRIPTIONS = {"a golfer", "a club", "a ball"}
+"""What is described and not computed."""
+SURFACES = ("to_result", "to_dict", "to_pandas", "to_xarray", "_repr_html_")
+
+
+@pytest.mark.parametrize("name", RESULTS.keys() - DESCRIPTIONS)
+def test_what_is_computed_is_a_document_a_table_a_dataset_and_a_page(name):
+    made = RESULTS[name]()
+    document = made.to_dict()
+    jsonschema.validate(document, SCHEMA)
+    assert document["tables"] or document["values"]
+    assert document["provenance"]["inputs"]
+    assert len(made.to_pandas())
+    assert made.to_xarray().nbytes
+    assert made.to_result().title in html.unescape(made._repr_html_())
+
+
+def classes():
+    """Every class of the package."""
+    for each in pkgutil.walk_packages(clubface.__path__, "clubface."):
+        if each.name not in ("clubface.__main__", "clubface.torch", "clubface.jax"):
+            for member in vars(import_module(each.name)).values():
+                if isinstance(member, type) and member.__module__ == each.name:
+                    yield member
+
+
+def test_every_class_with_a_result_has_all_surfaces():
+    known = {Result, Presentable}
+    described = {each for each in classes() if hasattr(each, "to_result")} - known
+    assert len(described) > 30
+    assert [(each, name) for each in described for name in SURFACES if not hasattr(each, name)] == []
+
+
+def test_launches_by_several_models_keep_every_number():
+    toes = np.array([0.0, 0.01, 0.02])
+    compared = clubface.impact("driver", DRIVE, toe=toes, model=["response", "standard"])
+    rows = compared.to_result().table().to_pandas()
+    dataset = compared.to_xarray()
+    for name in ("ball_speed", "sidespin"):
+        numbers = np.array([each.get(name) for each in compared.values()])
+        assert np.array_equal(rows[name].to_numpy().reshape(2, 3), numbers)
+        assert np.array_equal(dataset[name].transpose("model", "toe"), numbers)
+    assert rows["model"].tolist() == ["response"] * 3 + ["standard"] * 3
+    assert dataset["model"].values.tolist() == ["response", "standard"]
+
+
+@pytest.mark.parametrize("name", ["a history", "a path"])
+def test_a_series_is_the_same_table_in_pandas_and_in_its_result(name):
+    made = RESULTS[name]()
+    own, of_result = made.to_pandas(), made.to_result().table().to_pandas()
+    assert list(own) == list(of_result)
+    assert np.array_equal(own.to_numpy(), of_result.to_numpy())
+    assert own.attrs["units"] == of_result.attrs["units"]
 
 
 REGISTRIES = {

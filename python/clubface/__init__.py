@@ -17,17 +17,24 @@ from clubface.support.version import __version__ as __version__
 if TYPE_CHECKING:
     from clubface import (
         capture as capture,
+        design as design,
         errors as errors,
+        export as export,
         fem as fem,
+        inference as inference,
         plots as plots,
+        present as present,
         published_data as published_data,
+        schema as schema,
         shots as shots,
+        simulation as simulation,
         studies as studies,
         units as units,
+        validation as validation,
     )
     from clubface.equipment.balls import Ball as Ball, ball as ball
     from clubface.equipment.clubs import Club as Club, club as club
-    from clubface.equipment.models import Model as Model, models as models
+    from clubface.equipment.models import Model as Model, Parameter as Parameter, models as models
     from clubface.equipment.parameters import ParameterSet as ParameterSet
     from clubface.equipment.shafts import Shaft as Shaft
     from clubface.errors import ClubfaceError as ClubfaceError
@@ -56,6 +63,7 @@ _HOME = {
     "Identification": "inference.identification.result",
     "Launch": "simulation.launch",
     "Model": "equipment.models",
+    "Parameter": "equipment.models",
     "ParameterSet": "equipment.parameters",
     "Posterior": "inference.posterior",
     "PredictReport": "shots.prediction",
@@ -97,8 +105,8 @@ _HOME = {
 """The module in which each public name is defined."""
 
 _MODULES = (
-    "capture", "design", "errors", "fem", "inference", "plots", "published_data", "shots", "studies", "units",
-    "validation",
+    "capture", "design", "errors", "export", "fem", "inference", "plots", "present", "published_data", "schema",
+    "shots", "simulation", "studies", "units", "validation",
 )  # fmt: skip
 
 _ARRAY_LIBRARIES = ("chain", "jax", "torch")

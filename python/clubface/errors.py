@@ -8,6 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+__all__ = [
+    "AssumptionWarning", "CaptureWarning", "ClubfaceError", "EdgeWarning", "FileError", "ImplausibleWarning",
+    "InputError", "LinkError", "MeshWarning", "RangeWarning", "RuleWarning", "RunError", "ShotError", "TargetWarning",
+    "UnitError", "UnknownNameError", "Wording",
+]  # fmt: skip
+
 
 class ClubfaceError(Exception):
     """The root of every error clubface raises on purpose.

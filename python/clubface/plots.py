@@ -11,11 +11,11 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from clubface.present.drawing import draw as draw
+from clubface.present.drawing import animate as animate, draw as draw
 from clubface.present.style import save as save
 from clubface.simulation.shot_result import force_picture, shot_picture
 
-__all__ = ["draw", "force_histories", "save", "shot_figure", "trajectories"]
+__all__ = ["animate", "draw", "force_histories", "save", "shot_figure", "trajectories"]
 
 
 def force_histories(histories: Mapping[str, Any]) -> Figure:

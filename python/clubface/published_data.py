@@ -29,6 +29,8 @@ from clubface.schema.values import TEXT, Choice, FilePath, Items, Record, Simple
 from clubface.support.checks import Frozen, check_choice, check_names
 from clubface.support.files import DATA, builtin_names
 
+__all__ = ["PublishedTable", "names", "read", "subjects", "table"]
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PublishedTable:

@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+__all__ = [
+    "DIMENSIONLESS", "SI_UNITS", "UNITS", "Unit", "dimension_of", "fixed", "from_si", "is_missing", "key", "numbers",
+    "parse", "parse_column_name", "parse_exactly", "parse_values", "show", "show_range", "size", "symbols", "to_si",
+    "unit",
+]  # fmt: skip
+
 
 DIMENSIONLESS = "dimensionless"
 

@@ -9,7 +9,7 @@ import pytest
 
 from clubface import studies
 from clubface.errors import InputError
-from clubface.studies.results import level_text, summary_picture
+from clubface.studies.study_result import level_text, summary_picture
 from clubface.units import from_si
 from study_files import shots, squares
 

@@ -6,8 +6,9 @@
 
 from __future__ import annotations
 
-from clubface.capture.captured import CapturedDelivery
+from clubface.capture.captured import CapturedDelivery, swing_picture
 from clubface.capture.estimators import ESTIMATORS
+from clubface.capture.geometry import Assumed, Known
 from clubface.capture.markers import FacePoint, MarkerMap, template
 from clubface.capture.recording import Recording, read_c3d, write_c3d
 from clubface.capture.swing import (
@@ -18,16 +19,6 @@ from clubface.capture.swing import (
 )
 
 __all__ = [
-    "ESTIMATORS",
-    "CapturedDelivery",
-    "CapturedSwings",
-    "FacePoint",
-    "MarkerMap",
-    "Recording",
-    "join",
-    "read_c3d",
-    "read_swing",
-    "read_swings",
-    "template",
-    "write_c3d",
-]
+    "ESTIMATORS", "Assumed", "CapturedDelivery", "CapturedSwings", "FacePoint", "Known", "MarkerMap", "Recording",
+    "join", "read_c3d", "read_swing", "read_swings", "swing_picture", "template", "write_c3d",
+]  # fmt: skip

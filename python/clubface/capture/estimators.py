@@ -16,6 +16,8 @@ from clubface.capture.rotations import Array
 from clubface.errors import InputError
 from clubface.support.checks import check_choice
 
+__all__ = ["ESTIMATORS", "Estimator", "Path", "estimator", "linear", "polynomial", "smoother"]
+
 TIME = 0.01
 """Seconds; the unit of time of the fits, so that their coefficients are of one size."""
 JITTER = 1e-11

@@ -40,6 +40,8 @@ from clubface.simulation.impact import impact
 from clubface.simulation.inputs import OF_CLUB
 from clubface.support.checks import without_warnings
 
+__all__ = ["Study", "bare_study", "study", "study_picture"]
+
 UNITS = {
     name: "m/s" if name == "speed" else display_unit(name, units.SI_UNITS[dimension])
     for name, dimension in OF_CLUB.items()

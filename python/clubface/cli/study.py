@@ -31,13 +31,12 @@ WHERE = options.group(None, {
 @options.takes(WHERE, STORE, show.JSON)
 def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")], **texts: Any) -> None:
     """Compute what is missing of a study; what is finished stays, whatever happens."""
-    from clubface.studies.results import run_result
     from clubface.studies.running import run as compute
 
     shown = show.Output.check(texts)
     with progress_bar("chunks") as progress:
         done = compute(study, **{name: texts[name] for name in ("store", *WHERE)}, progress=progress)
-    shown.show(run_result(done))
+    shown.show(done.to_result())
 
 
 @app.command("status")
@@ -46,13 +45,12 @@ def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of
 )
 def status(study: StudyOrStore, **texts: Any) -> None:
     """Show how far a study is."""
-    from clubface.studies.results import status_result
     from clubface.studies.running import status as state
 
     shown = show.Output.check(texts)
     with progress_bar("parts") as progress:
         result = state(study, store=texts["store"], check=texts["check"], progress=progress)
-    shown.show(status_result(result))
+    shown.show(result.to_result())
 
 
 @app.command("join")
@@ -60,12 +58,11 @@ def status(study: StudyOrStore, **texts: Any) -> None:
 def join(study: StudyOrStore, **texts: Any) -> None:
     """Put all parts together in the order of the tasks, and print the SHA-256 of every column."""
     from clubface.studies.joining import join as put_together
-    from clubface.studies.results import joined_result
 
     shown = show.Output.check(texts, (study,))
     with progress_bar("parts") as progress:
         joined = put_together(study, shown.target, store=texts["store"], progress=progress)
-    shown.show(joined_result(joined), write_table=False)
+    shown.show(joined.to_result(), write_table=False)
 
 
 @app.command("summary")
@@ -79,7 +76,6 @@ def summary(
     **texts: Any,
 ) -> None:
     """Print means, spreads and extremes, of all tasks and along every input that was swept."""
-    from clubface.studies.results import summary_result
     from clubface.studies.summaries import summary as sum_up
 
     shown = show.Output.check(texts, [study])
@@ -88,4 +84,4 @@ def summary(
         raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
     with progress_bar("parts") as progress:
         result = sum_up(study, quantities=names, store=texts["store"], progress=progress)
-    shown.show(summary_result(result, study))
+    shown.show(result.to_result())

@@ -22,6 +22,14 @@ if TYPE_CHECKING:
     from clubface.design.face_map import Best as Best, Forgiveness as Forgiveness
     from clubface.design.face_map_result import face_map_picture as face_map_picture
     from clubface.design.face_surface import Outline as Outline
+    from clubface.design.feasibility import (
+        Envelope as Envelope,
+        Margin as Margin,
+        Volume as Volume,
+        mass_properties as mass_properties,
+        pseudo_inertia as pseudo_inertia,
+        refuse_impossible as refuse_impossible,
+    )
     from clubface.design.golfer import to_toml as to_toml, uniform as uniform
     from clubface.design.golfer_estimate import Doubts as Doubts, Estimate as Estimate, doubts as doubts
     from clubface.design.golfer_result import doubts_picture as doubts_picture
@@ -41,9 +49,9 @@ if TYPE_CHECKING:
         Verdict as Verdict,
         optimum_picture as optimum_picture,
     )
-    from clubface.design.optimisation.study import DesignStudy as DesignStudy, Head as Head
+    from clubface.design.optimisation.study import DesignStudy as DesignStudy, Head as Head, from_text as from_text
     from clubface.design.optimisation.variables import PointMass as PointMass
-    from clubface.design.rules import Rule as Rule, check_rules as check_rules
+    from clubface.design.rules import Rule as Rule, RuleVerdict as RuleVerdict, check_rules as check_rules
     from clubface.design.shells.run import Improved as Improved, Search as Search, search_picture as search_picture
     from clubface.design.strokes import expected as expected
     from clubface.design.variance import (
@@ -65,6 +73,7 @@ _NAMES = {
     "face_map": "Best Forgiveness",
     "face_map_result": "face_map_picture",
     "face_surface": "Outline",
+    "feasibility": "Envelope Margin Volume mass_properties pseudo_inertia refuse_impossible",
     "golfer": "to_toml uniform",
     "golfer_estimate": "Doubts Estimate doubts",
     "golfer_result": "doubts_picture",
@@ -73,9 +82,9 @@ _NAMES = {
     "optimisation.fitting": "Fitting",
     "optimisation.fitting_run": "Combination Effect Fitted fitting_picture",
     "optimisation.result": "Fresh FrontPoint Optimum Verdict optimum_picture",
-    "optimisation.study": "DesignStudy Head",
+    "optimisation.study": "DesignStudy Head from_text",
     "optimisation.variables": "PointMass",
-    "rules": "Rule check_rules",
+    "rules": "Rule RuleVerdict check_rules",
     "shells.run": "Improved Search search_picture",
     "strokes": "expected",
     "variance": "ByDerivatives Indices by_derivatives indices indices_by_derivatives shapley sobol",

@@ -22,6 +22,8 @@ from clubface.results.notes import Note, note
 from clubface.results.result import Result
 from clubface.results.table import Column, table, text
 
+__all__ = ["Rule", "RuleVerdict", "check_result", "check_rules", "rules"]
+
 UNMEASURED = "not measured"
 """Verdict on a face whose characteristic time is not given."""
 SPRING_ERROR = 0.007

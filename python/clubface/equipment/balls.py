@@ -270,6 +270,6 @@ def _read_radius(document: Document) -> float:
     place = Place(document)
     radius = entries(Ball)["radius"]
     given = [key for key in (radius.key, *radius.multiples) if key in document.data]
-    place.check_keys(document.data, document.data, ("name", *(given or [radius.key]), "pieces"))
+    place.require_keys(document.data, ("name", *(given or [radius.key]), "pieces"))
     with (at := place.key(given[0])).errors():
         return radius.multiples.get(given[0], 1.0) * radius.value.read(document.data[given[0]], at)

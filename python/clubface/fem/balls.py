@@ -25,7 +25,7 @@ from clubface.errors import InputError
 from clubface.fem import core
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import ENERGY, NOT_CONSTANTS, REGISTERED, Energy, Material, Maxwell, builtin_laws, laws
-from clubface.results.result import Result
+from clubface.results.result import Described, Result
 from clubface.schema.document import Document
 from clubface.schema.place import Place
 from clubface.schema.tables import Table, check_values, entries, file_key
@@ -154,7 +154,7 @@ ELEMENTS = ("one-point", "full")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ball:
+class Ball(Described):
     """A ball for finite elements, in SI units.
 
     The core takes the density that gives the ball its mass; with None it keeps the density of its material. Elements

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -78,7 +79,9 @@ class Result:
     draw: Callable[[], Sequence[Picture]] | None = field(default=None, repr=False, compare=False)
 
     def table(self, name: str | None = None) -> Table:
-        """Return a table by its name, or the main one."""
+        """Return a table by its name, or the main one; without tables, the single values are one of one row."""
+        if self.values and not self.tables and name in (None, self.kind):
+            return Table(self.kind, self.values, self.title)
         for each in self.tables:
             if name in (None, each.name):
                 return each
@@ -124,14 +127,18 @@ class Result:
         return frame
 
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
-        """Return a table (the main one unless named) as a dataset over its rows, SI; variables carry their units."""
+        """Return a table (the main one unless named) as a dataset over its rows, SI.
+
+        Variables carry their units, and the dataset its provenance, as JSON.
+        """
         import xarray
 
         chosen = self.table(name)
         variables = {
             each.name: ("row", list(each.values), _attributes(each)) for each in chosen.columns if each.in_files
         }
-        return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind})
+        provenance = json.dumps(self.provenance.to_dict())
+        return xarray.Dataset(variables, attrs={"title": self.title, "kind": self.kind, "provenance": provenance})
 
     def write(self, folder: str | os.PathLike[str], tables: Mapping[str, Table] | None = None) -> list[Path]:
         """Write pages (HTML and Markdown), JSON, tables and pictures into a folder; return the files.
@@ -153,11 +160,8 @@ class Result:
         return as_text(self)
 
 
-class Described:
-    """Gives what a computation returns the surfaces of its :class:`Result`.
-
-    Its tables in pandas and xarray are those of ``to_result()``, unless it has its own.
-    """
+class Presentable:
+    """Gives what a computation returns the surfaces of its :class:`Result` that do not depend on its tables."""
 
     def to_result(self) -> Result:
         """Return it as a result."""
@@ -169,6 +173,18 @@ class Described:
 
     def _repr_html_(self) -> str:
         return self.to_result()._repr_html_()
+
+
+class Described(Presentable):
+    """Gives what a computation returns all surfaces of its :class:`Result`; what has its own tables overrides them."""
+
+    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
+        """Return a table of the result, the main one unless named; see :meth:`Result.to_pandas`."""
+        return self.to_result().to_pandas(name)
+
+    def to_xarray(self, name: str | None = None) -> xarray.Dataset:
+        """Return a table of the result, the main one unless named; see :meth:`Result.to_xarray`."""
+        return self.to_result().to_xarray(name)
 
 
 def _attributes(column: Column) -> dict[str, str]:

@@ -42,3 +42,10 @@ from clubface.schema.values import (
     count as count,
     written as written,
 )
+
+__all__ = [
+    "FILES", "FLAG", "NAME", "TEXT", "Choice", "Document", "Either", "Entry", "FilePath", "Interval", "Items",
+    "PhysicalValue", "Place", "Record", "Reference", "Simple", "Table", "Tables", "Unread", "Value", "check_values",
+    "count", "decode", "encode", "entries", "file_key", "file_schema", "json_schema", "key_rows", "quantities",
+    "quoted", "template", "written", "written_key",
+]  # fmt: skip

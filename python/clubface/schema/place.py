@@ -71,6 +71,11 @@ class Place:
                 within = f" of {self.title}" if self.document is None and self.title else ""
                 with self.key(key).errors():
                     raise UnknownNameError(f"key{within}", key, known)
+        self.require_keys(given, required)
+
+    def require_keys(self, given: Iterable[str], required: Iterable[str]) -> None:
+        """Refuse a table in which required keys are missing, and list them."""
+        given = set(given)
         missing = [key for key in required if key not in given]
         if not missing:
             return

@@ -53,6 +53,8 @@ from clubface.shots.tables.vocabulary import FACE_TO_PATH, SIDES, Side, vocabula
 from clubface.support.checks import check_choice
 from clubface.units import DIMENSIONLESS, unit
 
+__all__ = ["Field", "Format", "Mapped", "MappingFile", "dimension_of", "mapping_of", "side_of"]
+
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
 """Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
 _COLUMNS = vocabulary()["columns"]

@@ -22,6 +22,8 @@ from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
 from clubface.units import DIMENSIONLESS
 
+__all__ = ["FORMATS", "format_result", "formats_result"]
+
 _NAMES = ("trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope", "gspro", "square")
 """In the order in which they are listed and recognised."""
 

@@ -22,6 +22,7 @@ from clubface import units
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
 from clubface.results.notes import Note, free_text, note
+from clubface.results.result import Presentable, Result
 from clubface.shots.plausibility import can_be
 from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, heading_of, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
@@ -37,6 +38,7 @@ from clubface.units import SI_UNITS, from_si, is_missing, parse_values
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
 """The attributes of shots that are texts, with the headings of their columns."""
@@ -60,7 +62,7 @@ class RejectedRow(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class RecordedShots:
+class RecordedShots(Presentable):
     """Shots as they were measured, SI and radians, with the signs of :class:`Delivery` and :class:`Launch`.
 
     Every array has one element a shot. A value that was not measured is NaN; a quantity that was measured for no shot
@@ -240,6 +242,22 @@ class RecordedShots:
         frame.attrs = {"units": self.units(), "rejected": [tuple(each) for each in self.rejected], **kept,
                        "notes": [str(each) for each in self.notes]}  # fmt: skip
         return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset over ``row``, SI; variables carry their units, and the dataset its file and format."""
+        import xarray
+
+        frame = self.to_pandas().set_index("row")
+        units = self.units()
+        variables = {name: ("row", frame[name].to_numpy(), {"units": units.get(name, "")}) for name in frame.columns}
+        kept = {name: getattr(self, name) or "" for name in ("source", "format", "speed_at", "face_at")}
+        return xarray.Dataset(variables, {"row": self.rows}, attrs=kept)
+
+    def to_result(self) -> Result:
+        """Return each quantity with its least, mean and greatest value, the clubs, and the rows that give no shot."""
+        from clubface.shots.recorded_result import shots_result
+
+        return shots_result(self)
 
     def headings(self) -> dict[str, tuple[str, str]]:
         """Return the heading and the unit that each quantity has in a table of the shots."""

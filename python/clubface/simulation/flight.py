@@ -25,6 +25,7 @@ from clubface import units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError, Wording
 from clubface.results.notes import Note
+from clubface.results.result import Result
 from clubface.simulation import core
 from clubface.simulation.inputs import check_on_error, common_shape, hand_value, thread_count
 from clubface.simulation.launch import Comparison, Launch, assumptions_of, vectors
@@ -390,6 +391,11 @@ class Flight(Batch):
         return result
 
     @property
+    def inputs(self) -> Mapping[str, Any]:
+        """What it was computed from, by name [SI]; an array is flat."""
+        return self._columns
+
+    @property
     def provenance(self) -> dict[str, Any]:
         """The launch it began with, air, ground and version."""
         inputs = flight_inputs()
@@ -519,6 +525,10 @@ class Trajectory(Series):
         [m/s], shape (n, 3).
     spin
         Angular velocity [rad/s], shape (n, 3).
+    inputs
+        Of the flight, by name [SI].
+    launch
+        The launch it began with; None for one that was given by its values.
     """
 
     quantities = {  # noqa: RUF012
@@ -528,10 +538,21 @@ class Trajectory(Series):
         "spin": Variable("spin", "rad/s", "angular velocity"),
     }
 
-    def __init__(self, arrays: Mapping[str, NDArray[Any]], provenance: dict[str, Any]) -> None:
+    def __init__(
+        self, arrays: Mapping[str, NDArray[Any]], inputs: Mapping[str, float], launch: Launch | None = None
+    ) -> None:
         self._arrays = arrays
         self.time, self.position, self.velocity, self.spin = (arrays[name] for name in self.quantities)
-        self.provenance = provenance
+        self.inputs = inputs
+        self.launch = launch
+        began = {} if launch is None else {"impact": launch.provenance}
+        self.provenance = {**began, "inputs": {"values": dict(inputs)}}
+
+    def to_result(self) -> Result:
+        """Return where and when it lands, and every point as a row."""
+        from clubface.simulation.batch_result import trajectory_result
+
+        return trajectory_result(self)
 
     def __repr__(self) -> str:
         carry = math.hypot(self.position[-1, 0], self.position[-1, 2])
@@ -554,5 +575,4 @@ def trajectory(
         arrays = core.trajectory(list(columns.values()))
     except ValueError as error:
         raise flight_error(error, columns) from None
-    began = {"impact": launch.provenance} if isinstance(launch, Launch) else {}
-    return Trajectory(arrays, {**began, "inputs": {"values": columns}})
+    return Trajectory(arrays, columns, launch if isinstance(launch, Launch) else None)

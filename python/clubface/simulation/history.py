@@ -13,6 +13,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError
+from clubface.results.result import Result
 from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
 from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
@@ -148,6 +149,12 @@ class History(Series):
         check_choice("quantity", name, self.quantities)
         value = self._arrays[name]
         return value if unit is None else in_unit(value, self.quantities[name], unit)
+
+    def to_result(self) -> Result:
+        """Return contact time and peak force, and every step as a row."""
+        from clubface.simulation.batch_result import history_result
+
+        return history_result(self)
 
     def __repr__(self) -> str:
         return (

@@ -13,7 +13,7 @@ from clubface.equipment.models import model
 from clubface.equipment.shafts import Shaft, shaft as shaft_of
 from clubface.errors import InputError, Wording
 from clubface.results.notes import note
-from clubface.results.result import Result
+from clubface.results.result import Described, Result
 from clubface.results.table import column, table, text
 from clubface.simulation.beam import cross_matrix
 from clubface.simulation.inputs import Delivery
@@ -27,7 +27,7 @@ INERTIA = ("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class HoselReaction:
+class HoselReaction(Described):
     """What the head does to its shaft during one impact, and where the energy goes.
 
     Attributes

@@ -16,6 +16,7 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import AssumptionWarning, InputError
 from clubface.results.notes import Note, note
+from clubface.results.result import Presentable, Result
 from clubface.simulation.inputs import Shots, common_shape
 from clubface.simulation.results import Batch, Variable, Varied, flight_inputs, input_columns, inputs, outputs
 from clubface.simulation.spin import SPINS, parts
@@ -25,6 +26,7 @@ from clubface.support.version import __version__
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
     from numpy.typing import NDArray
 
 
@@ -242,7 +244,7 @@ def computed_with(
     }
 
 
-class Comparison(dict[str, Launch]):
+class Comparison(dict[str, Launch], Presentable):
     """Launches of the same shots by several models, by the name of the model."""
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -257,6 +259,20 @@ class Comparison(dict[str, Launch]):
             "provenance": {name: frame.attrs["provenance"] for name, frame in frames.items()},
         }
         return table
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the datasets of all launches as one, over ``model`` and the dimensions of the shots."""
+        import xarray
+
+        names = xarray.DataArray(list(self), dims="model", name="model")
+        datasets = [each.to_xarray() for each in self.values()]
+        return xarray.concat(datasets, names, combine_attrs="drop_conflicts")
+
+    def to_result(self) -> Result:
+        """Return one row a shot and model."""
+        from clubface.simulation.batch_result import comparison_result
+
+        return comparison_result(self)
 
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.values()))

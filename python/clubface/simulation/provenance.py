@@ -6,11 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.quantities import quantity
+from clubface.quantities import display_unit, quantity
 from clubface.results.provenance import Computation, Provenance
 from clubface.simulation.flight import air_of, conditions
 from clubface.simulation.launch import Launch
@@ -69,6 +70,12 @@ def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> 
     return {"air": ", ".join(state), "wind": _wind(values), "ground": turf}
 
 
+def flight_input_words(columns: Mapping[str, ArrayLike]) -> Iterator[tuple[str, str]]:
+    """Yield inputs of flights [SI] in words, the range of those that differ; those that are 0 are left out."""
+    for name, values in columns.items():
+        yield from _words_of(name, display_unit(name, flight_inputs()[name].unit), [values])
+
+
 def equipment_sources(*equipment: Club | Ball) -> Iterator[str]:
     """Yield where the values of clubs and balls come from, those of one source together."""
     for each in equipment:
@@ -93,11 +100,14 @@ def _wind(values: Mapping[str, Any]) -> str:
 def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
     """Yield the values of deliveries that all launches share, and the range of those that differ."""
     for name in launches[0].delivery if launches else ():
-        values = np.concatenate([np.ravel(each.input(name)) for each in launches])
-        values = values[np.isfinite(values)]
-        if not values.any():
-            continue
-        unit = quantity(name).reading.unit
+        yield from _words_of(name, quantity(name).reading.unit, [each.input(name) for each in launches])
+
+
+def _words_of(name: str, unit: str, given: Iterable[ArrayLike]) -> Iterator[tuple[str, str]]:
+    """Yield a name and its value or range in words; nothing if there is no value but 0."""
+    values = np.concatenate([np.ravel(each) for each in given])
+    values = values[np.isfinite(values)]
+    if values.any():
         low, high = float(values.min()), float(values.max())
         yield name.replace("_", " "), show(low, unit) if low == high else show_range(low, high, unit)
 

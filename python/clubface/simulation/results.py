@@ -14,7 +14,7 @@ from clubface import units
 from clubface.errors import ShotError
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
-from clubface.results.result import Described, Result
+from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, column
 from clubface.simulation import core
 from clubface.support.checks import Frozen, check_choice
@@ -135,7 +135,7 @@ class Varied(NamedTuple):
     meaning: str  # one line
 
 
-class Batch(Described):
+class Batch(Presentable):
     """Named quantities over the shots of a batch, SI and radians; a single shot has numbers in place of arrays.
 
     Every quantity is an attribute. :meth:`get` gives it in another unit, :meth:`to_pandas` and :meth:`to_xarray`
@@ -261,12 +261,17 @@ class Batch(Described):
 
     def to_result(self) -> Result:
         """Return one row a shot: the inputs given as arrays, then every quantity."""
+        from clubface.simulation.batch_result import batch_provenance
+
         varied = self.varied
         columns = [column(name, values, varied[name].unit) for name, values in self._varied_columns().items()]
         columns += [column(name, values) for name, values in zip(self.quantities(), self._values, strict=True)]
         problems = tuple(note("shot-without-result", row=list(each.row), reason=each.reason) for each in self.problems)
         table = Table(f"{self._kind}es" if self._kind == "launch" else f"{self._kind}s", tuple(columns))
-        return Result(self._kind, self._headline(), (table,), notes=problems, assumptions=self._assumptions())
+        return Result(
+            self._kind, self._headline(), (table,), notes=problems, assumptions=self._assumptions(),
+            provenance=batch_provenance(self),
+        )  # fmt: skip
 
     def __repr__(self) -> str:
         lines = [*(each.sentence for each in self._assumptions()), self._headline()]
@@ -286,7 +291,7 @@ class Batch(Described):
         return "\n".join(lines)
 
 
-class Series:
+class Series(Presentable):
     """Arrays over the same times, SI: numbers, vectors and the like.
 
     Attributes
@@ -314,22 +319,28 @@ class Series:
         """Return the dimension of an array besides time."""
         return "axis"
 
+    def components(self) -> dict[str, tuple[NDArray[Any], str]]:
+        """Return values over time and SI unit of each quantity, those of a vector by component: ``ball_spin_x``."""
+        components = {}
+        for name, each in self.quantities.items():
+            values, second = self._arrays[name], self._second(name)
+            if values.ndim == 1:
+                components[name] = values, each.unit
+                continue
+            labels = self._coordinates.get(second) or [str(index) for index in range(values.shape[1])]
+            for index, label in enumerate(labels):
+                components[f"{name}_{label}"] = values[:, index], each.unit
+        return components
+
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a time, SI; a vector becomes columns such as ``ball_spin_x``, rings ``ring_slip_0``."""
         import pandas
 
-        columns: dict[str, Any] = {}
-        named = {}
-        for name, each in self.quantities.items():
-            values, second = self._arrays[name], self._second(name)
-            parts = {name: values}
-            if values.ndim > 1:
-                labels = self._coordinates.get(second) or [str(index) for index in range(values.shape[1])]
-                parts = {f"{name}_{label}": values[:, index] for index, label in enumerate(labels)}
-            columns |= parts
-            named |= dict.fromkeys(parts, each.unit)
-        frame = pandas.DataFrame(columns)
-        frame.attrs = {"units": named, "provenance": self.provenance}
+        components = self.components()
+        frame = pandas.DataFrame({name: values for name, (values, _) in components.items()})
+        frame.attrs = {
+            "units": {name: unit for name, (_, unit) in components.items()}, "provenance": self.provenance,
+        }  # fmt: skip
         return frame
 
     def to_xarray(self) -> xarray.Dataset:

@@ -19,7 +19,7 @@ from clubface.equipment.models import DEFAULT_MODEL, differentiable_model, model
 from clubface.errors import InputError, UnitError, Wording
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
-from clubface.results.result import Result
+from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import Air, flight_columns, flight_error
@@ -67,7 +67,7 @@ _SURPRISES = {
 name of the change of the output in the data."""
 
 
-class Sensitivity:
+class Sensitivity(Presentable):
     """Derivatives of launch quantities with respect to inputs and parameters, exact to rounding.
 
     Attributes

@@ -1,5 +1,6 @@
 """Studies at any scale: inputs swept over a computation, in chunks that any number of processes and machines share."""
 
+from clubface.jobs.workers import shard_of
 from clubface.studies.histories import histories
 from clubface.studies.joining import Joined, join
 from clubface.studies.running import Outcome, Status, run, status
@@ -18,6 +19,7 @@ __all__ = [
     "join",
     "read_study",
     "run",
+    "shard_of",
     "status",
     "summary",
 ]

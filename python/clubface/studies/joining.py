@@ -13,6 +13,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
@@ -27,7 +28,7 @@ Write = Callable[[Values], object]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Joined:
+class Joined(Described):
     """A study as one table.
 
     Attributes
@@ -53,6 +54,12 @@ class Joined:
     failed: tuple[int, str]
     remark: str
     processors: tuple[str, ...]
+
+    def to_result(self) -> Result:
+        """Return the SHA-256 of every column."""
+        from clubface.studies.study_result import joined_result
+
+        return joined_result(self)
 
 
 def join(

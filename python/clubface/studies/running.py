@@ -12,6 +12,7 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.jobs.workers import Shard, in_processes, on_cluster, shard_of, worker_count
+from clubface.results.result import Described, Result
 from clubface.shots.tables.parquet import check_pyarrow
 from clubface.simulation.impact import Tally
 from clubface.studies.chunks import COMPUTED, KEPT, REPAIRED, chunk_size, first_tried, shared
@@ -31,7 +32,7 @@ Progress = Callable[[int, int], object]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Outcome:
+class Outcome(Described):
     """What a run has done.
 
     Attributes
@@ -60,6 +61,12 @@ class Outcome:
     failed: tuple[int, str]
     remark: str
     missing: int
+
+    def to_result(self) -> Result:
+        """Return what was computed, and what is left to other runs."""
+        from clubface.studies.study_result import run_result
+
+        return run_result(self)
 
 
 class ChunkTally:
@@ -236,7 +243,7 @@ def _repeated(table: Mapping[str, Any]) -> Any:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Status:
+class Status(Described):
     """How far a study is.
 
     Attributes
@@ -264,6 +271,12 @@ class Status:
     missing: tuple[int, ...]
     damaged: tuple[int, ...]
     size: int
+
+    def to_result(self) -> Result:
+        """Return how far it is, and the chunks that are missing or damaged."""
+        from clubface.studies.study_result import status_result
+
+        return status_result(self)
 
 
 def status(

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import InputError
+from clubface.results.result import Described, Result
 from clubface.studies.running import ChunkTally
 from clubface.studies.store import Names, open_store
 from clubface.support.checks import check_names
@@ -65,7 +66,7 @@ class Along:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Summary:
+class Summary(Described):
     """What a study found.
 
     Attributes
@@ -82,6 +83,8 @@ class Summary:
         Along each swept input.
     failed, remark
         As of :class:`clubface.studies.Joined`.
+    study
+        The file of the study, or the folder of its store.
     """
 
     name: str
@@ -91,6 +94,13 @@ class Summary:
     along: Sequence[Along]
     failed: tuple[int, str]
     remark: str
+    study: str
+
+    def to_result(self) -> Result:
+        """Return means, spreads and extremes, of all tasks and along every input."""
+        from clubface.studies.study_result import summary_result
+
+        return summary_result(self)
 
 
 class _Sums:
@@ -218,7 +228,7 @@ def summary(
             progress(opened.chunks + number, 2 * opened.chunks)
     return Summary(
         name=opened.record["name"], tasks=opened.count, quantities={name: known[name] for name in names},
-        overall=overall.figures()[0], failed=tally.failed, remark=tally.remark,
+        overall=overall.figures()[0], failed=tally.failed, remark=tally.remark, study=os.fspath(study),
         along=[
             Along(each.name, each.unit, each.levels, levels.figures()) for each, levels in zip(along, sums, strict=True)
         ],

@@ -14,7 +14,6 @@ from starlette.routing import Route
 from clubface.errors import ClubfaceError, FileError, InputError
 from clubface.results.result import Result
 from clubface.results.table import table, text
-from clubface.studies.results import status_result, summary_result
 from clubface.studies.running import status
 from clubface.studies.store import open_folder
 from clubface.studies.summaries import summary
@@ -46,14 +45,14 @@ def study_routes(folder: Path | None) -> list[Route]:
 
     return [
         Route("/studies", listing),
-        Route("/studies/{study}", shown(lambda store: status_result(status(store)))),
+        Route("/studies/{study}", shown(lambda store: status(store).to_result())),
         Route("/studies/{study}/summary", shown(_summary)),
         Route("/studies/{study}/report", report),
     ]
 
 
 def _summary(store: Path) -> Result:
-    return summary_result(summary(store), str(store))
+    return summary(store).to_result()
 
 
 def _stores(folder: Path | None) -> dict[str, Path]:

@@ -24,6 +24,8 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 from clubface.support.files import DATA
 
+__all__ = ["BenchmarkShots", "MixtureComponent", "Recipe", "Spread", "load", "recipe"]
+
 FOLDER = DATA / "benchmark"
 HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
 """The built-in heads that hit the shots of the two clubs, those of the publication."""

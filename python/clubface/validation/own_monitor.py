@@ -34,6 +34,8 @@ from clubface.validation.check import rows
 from clubface.validation.launches import DRIVER, HEIGHTS, ROBOT
 from clubface.validation.tour import TABLES, averages
 
+__all__ = ["OwnClub", "OwnMonitor", "Share", "own_monitor"]
+
 TOURS, SINGLE = CAMPS = ("tours", "robots and single golfers")
 SINGLE_TABLES = ("robot-7-irons-launch-2026", "shots-bliss-2026", "shots-r50-2026")
 UNDECIDED, NEITHER = "undecided", "neither"

@@ -49,6 +49,8 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, without_warnings
 from clubface.units import from_si
 
+__all__ = ["TABLES", "Average", "Tour", "averages", "mean_absolute_error", "solve_loft", "tour", "tour_result"]
+
 TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
 """The published tables that models are compared with, each with the group whose published dynamic lofts belong to it.
 The LPGA Tour's of 2023 is not among them, since one of its spins looks misprinted."""

@@ -81,6 +81,8 @@ from clubface.schema.values import (
 )
 from clubface.simulation.flight import check_conditions
 
+__all__ = ["DesignStudy", "FittingFile", "Head", "StudyFile", "from_text", "read"]
+
 MOST_SHOTS = 100_000
 DEFAULT_POINTS = 9
 DISTRIBUTION = "mass_distribution"

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from clubface.design.shells.goal import Goal
 from clubface.design.shells.metals import MetalChoice, NamedMetal
 from clubface.design.shells.run import improve
 from clubface.design.shells.study import Blow, ShellStudy, read
+from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
 
-__all__ = ["Blow", "MetalChoice", "NamedMetal", "ShellStudy", "improve", "read"]
+__all__ = [
+    "Blow", "Goal", "MetalChoice", "NamedMetal", "SearchResult", "ShellStudy", "Step", "improve", "read",
+    "trust_region_search",
+]  # fmt: skip

@@ -113,7 +113,7 @@ def _mesh_of(document: Document) -> MeshedHead:
 def design_from_document(document: Document) -> Design:
     """Return the design that a document describes."""
     place = Place(document)
-    place.check_keys(document.data, document.data, ("kind",))
+    place.require_keys(document.data, ("kind",))
     with (at := place.key("kind")).errors():
         design = Choice(DESIGNS).read(document.data["kind"], at)
     return Table(design, OTHERS).read(document.data, Place(document))

@@ -24,6 +24,8 @@ from clubface.support.checks import check_choice, without_warnings
 from clubface.support.files import is_path
 from clubface.support.processes import vector_units
 
+__all__ = ["Column", "Computed", "DescribedStudy", "Histories", "Kind", "Task"]
+
 T = TypeVar("T")
 TASK = "task"
 """The column of a history that holds the index of the task."""

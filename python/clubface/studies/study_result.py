@@ -76,13 +76,10 @@ def joined_result(joined: Joined) -> Result:
     return Result("study-join", "Columns of a study", (sums,), values, notes=tuple(notes))
 
 
-def summary_result(summary: Summary, study: str) -> Result:
-    """Return means, spreads and extremes of a study, of all tasks and along every input.
-
-    ``study`` is the file of the study, or the folder of its parts.
-    """
-    held = _held(study)
-    inputs = {"study": Path(study).name, "tasks": str(summary.tasks)} | {
+def summary_result(summary: Summary) -> Result:
+    """Return means, spreads and extremes of a study, of all tasks and along every input."""
+    held = _held(summary.study)
+    inputs = {"study": Path(summary.study).name, "tasks": str(summary.tasks)} | {
         name: str(held[name]) for name in ("club", "ball", "hand", "model", "parameters") if name in held
     }
     inputs |= {name: str(value) for name, value in held.get("held", {}).items()}
