@@ -10,6 +10,7 @@ import resource
 import time
 
 import clubface
+from clubface.validation import benchmark_data
 
 PUBLISHED_SECONDS = 0.0683
 """CPU time of one volumetric impact in Caldwell and McPhee's Table 3 at 2.3 GHz: 0.683 s for ten."""
@@ -21,7 +22,7 @@ def main() -> None:
     parser.add_argument("--model", default="volumetric")
     parser.add_argument("--threads", type=int, default=None)
     chosen = parser.parse_args()
-    shots = clubface.validation.benchmark_data.load("driver").measured
+    shots = benchmark_data.load("driver").measured
     began, processor = time.perf_counter(), time.process_time()
     fit = clubface.identify(
         shots, club="driver-as-printed", model=chosen.model, threads=chosen.threads, folds=0, bootstrap=0, profiles=()

@@ -7,18 +7,19 @@ results draw themselves: ``draw(picture)`` makes a figure of each of their ``pic
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 from clubface.present.drawing import animate as animate, draw as draw
 from clubface.present.style import save as save
+from clubface.simulation.history import History
 from clubface.simulation.shot_result import force_picture, shot_picture
 
 __all__ = ["animate", "draw", "force_histories", "save", "shot_figure", "trajectories"]
 
 
-def force_histories(histories: Mapping[str, Any]) -> Figure:
+def force_histories(histories: Mapping[str, History | Mapping[str, ArrayLike]]) -> Figure:
     """Draw the force on the ball over time, normal and along the face, one line a model.
 
     Parameters
@@ -29,7 +30,7 @@ def force_histories(histories: Mapping[str, Any]) -> Figure:
     return draw(force_picture(histories))
 
 
-def trajectories(flights: Mapping[str, Any]) -> Figure:
+def trajectories(flights: Mapping[str, ArrayLike]) -> Figure:
     """Draw flights from the side and from above.
 
     Parameters
@@ -40,7 +41,12 @@ def trajectories(flights: Mapping[str, Any]) -> Figure:
     return draw(shot_picture(flights))
 
 
-def shot_figure(flights: Mapping[str, Any], histories: Mapping[str, Any] | None = None, *, title: str = "") -> Figure:
+def shot_figure(
+    flights: Mapping[str, ArrayLike],
+    histories: Mapping[str, History | Mapping[str, ArrayLike]] | None = None,
+    *,
+    title: str = "",
+) -> Figure:
     """Draw one shot: forces above, the flight from the side and from above below.
 
     Models without a history are left out of the panels of force, which a line below says.

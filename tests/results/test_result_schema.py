@@ -156,7 +156,7 @@ def test_the_json_of_a_command_follows_the_schema(run, name, tmp_path, saved_tab
     for each in shown[-1].tables:
         frame, dataset = shown[-1].to_pandas(each.name), shown[-1].to_xarray(each.name)
         assert len(frame) == len(each)
-        assert set(dataset) == set(frame)
+        assert set(dataset.variables) == set(frame)
     # What a terminal shows of it stays within its width.
     for width in (80, 120):
         lines = as_text(shown[-1], width=width).split("\n")

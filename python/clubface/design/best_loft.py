@@ -25,10 +25,11 @@ from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
+from clubface.simulation.flight import AirLike, GroundLike, WindLike
 from clubface.simulation.impact import Parameters
 from clubface.simulation.launch import Launch
 from clubface.simulation.provenance import flight_conditions, provenance_of
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice
 
 SHOWN = {"loft": "loft", "ball_speed": "ball_speed", "launch": "launch", "spin": "total_spin", "carry": "carry"}
@@ -95,8 +96,8 @@ class BestLoft(Described):
     within: Floats
     flown: Launch
     worth: float = WORTH["carry"]
-    air: Any = None
-    wind: Any = None
+    air: AirLike | None = None
+    wind: WindLike | None = None
 
     def to_result(self) -> Result:
         """Return the best lofts as a result."""
@@ -111,20 +112,20 @@ class BestLoft(Described):
 
 
 def best_loft(
-    speed: Any,
-    attack: Any = 0.0,
+    speed: ValueLike,
+    attack: ValueLike = 0.0,
     *,
     club: str | os.PathLike[str] | Club = "driver",
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
-    worth: Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
+    worth: Mapping[str, float | str] | None = None,
     progress: Callable[[int, int], object] | None = None,
-    **delivery: Any,
+    **delivery: float | str,
 ) -> BestLoft:
     """Find the dynamic loft with which the ball is carried farthest.
 

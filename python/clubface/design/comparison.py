@@ -25,7 +25,7 @@ from clubface.results.table import Column, Table, column, text
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import check_units, delivery_words, layout, plain_name
 from clubface.shots.tables.reader import open_table
-from clubface.simulation.flight import Flight, fly, trajectory
+from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly, trajectory
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.inputs import as_values
 from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
@@ -332,9 +332,9 @@ def _contribution_panels(compared: Compared, name: str, made: Contributions) -> 
 def compare(
     alternatives: Mapping[str, Alternative | Mapping[str, Any]],
     *,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     split: bool = True,
     nodes: int | None = None,
     progress: Callable[[int, int], object] | None = None,

@@ -27,7 +27,7 @@ from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of, shot_words
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
-from clubface.simulation.flight import Flight, fly
+from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly
 from clubface.simulation.impact import Parameters, Tally as RangeTally, impact
 from clubface.simulation.inputs import thread_count
 from clubface.simulation.launch import Launch
@@ -196,9 +196,9 @@ class ImpactSetup(NamedTuple):
     model: str
     parameters: Any = None
     ball: Any = None
-    air: Any = None
-    wind: Any = None
-    ground: Any = None
+    air: AirLike | None = None
+    wind: WindLike | None = None
+    ground: GroundLike | None = None
     flight: bool = True
     threads: int | None = None
     accuracy: float | None = None
@@ -391,9 +391,9 @@ def dispersion(
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     flight: bool = True,
     hole: Hole | None = None,
     threads: int | None = None,

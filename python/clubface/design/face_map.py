@@ -13,17 +13,18 @@ from clubface.design.contributions import QUANTITIES, quantities, symbol
 from clubface.design.dispersion import ImpactSetup
 from clubface.design.face_surface import ComputedFace, Interpolated, Outline, Struck, Surface, outline_of, run_points
 from clubface.equipment.backends import MODULES
+from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning, RunError, Wording
 from clubface.results.result import Described, Result
 from clubface.results.table import Table
-from clubface.simulation.flight import check_conditions
-from clubface.simulation.impact import impact
-from clubface.simulation.inputs import as_values
+from clubface.simulation.flight import AirLike, GroundLike, WindLike, check_conditions
+from clubface.simulation.impact import Parameters, impact
+from clubface.simulation.inputs import DeliveryLike, as_values
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import attributes, flattened, outputs
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice, check_share, check_text, is_count, is_number, without_warnings
 
 if TYPE_CHECKING:
@@ -167,7 +168,7 @@ class FaceMap(_Mapped):
         values = self._table[QUANTITIES.index(name)]
         return values if unit is None else units.from_si(values, symbol(name, unit))
 
-    def at(self, toe: Any, high: Any) -> dict[str, Floats]:
+    def at(self, toe: ValueLike, high: ValueLike) -> dict[str, Floats]:
         """Return all quantities [SI] at points [m] of the face, by name."""
         toe, high = np.broadcast_arrays(
             units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
@@ -185,7 +186,9 @@ class FaceMap(_Mapped):
         check_share(share)
         return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
 
-    def forgiveness(self, spread: tuple[Any, Any], *, toe: Any = 0.0, high: Any = 0.0) -> Forgiveness:
+    def forgiveness(
+        self, spread: tuple[float | str, float | str], *, toe: float | str = 0.0, high: float | str = 0.0
+    ) -> Forgiveness:
         """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
 
         Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its
@@ -251,21 +254,21 @@ class FaceMap(_Mapped):
 
 def map_face(
     club: str | os.PathLike[str] | Club,
-    delivery: Any = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str = DEFAULT_MODEL,
-    parameters: Any = None,
-    ball: Any = None,
+    parameters: Parameters | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
     grid: tuple[int, int] | None = None,
     points: tuple[Any, Any] | None = None,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     output: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    **values: Any,
+    **values: float | str | None,
 ) -> FaceMap:
     """Strike a face everywhere.
 

@@ -27,7 +27,7 @@ from clubface.jobs.workers import in_threads, worker_count
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, fly
 from clubface.simulation.impact import Tally
 from clubface.simulation.results import outputs
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import is_silent
 
 CHUNK = 2**16
@@ -178,7 +178,7 @@ class Outline(NamedTuple):
         """Return it as the core takes it."""
         return core.FaceOutline(self.corners.tolist())
 
-    def holds(self, toe: Any, high: Any, slack: float = 1e-9) -> NDArray[np.bool_]:
+    def holds(self, toe: ValueLike, high: ValueLike, slack: float = 1e-9) -> NDArray[np.bool_]:
         """Tell which points [m] are inside or on it."""
         toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
         return self.in_core().holds(toe.reshape(-1), high.reshape(-1), slack).reshape(toe.shape)

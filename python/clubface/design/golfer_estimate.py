@@ -39,7 +39,7 @@ from clubface.shots.measured import ReadyShots, ready_shots
 from clubface.shots.mishits import find_mishits, is_mishit
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.inputs import OF_CLUB
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 
 ENOUGH = 40
 """Shots from which on mishits are looked for; with fewer they are those of the golfer that fills the gaps."""
@@ -262,7 +262,7 @@ def estimate_golfer(
     only: str | None = None,
     where: str | None = None,
     mismatch: str = "refuse",
-    assume: Mapping[str, Any] | None = None,
+    assume: Mapping[str, ValueLike] | None = None,
 ) -> Estimate:
     """Estimate a golfer from shots in the order in which they were hit, without mishits that their flight shows.
 

@@ -38,7 +38,7 @@ from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
-from clubface.simulation.flight import check_conditions
+from clubface.simulation.flight import AirLike, GroundLike, WindLike, check_conditions
 from clubface.simulation.impact import Parameters
 from clubface.support.arrays import Floats
 
@@ -153,9 +153,9 @@ def fit_loft(
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     shots: int = SHOTS,
     seed: int = 1,
     progress: Callable[[int, int, str], object] | None = None,
@@ -212,7 +212,7 @@ def fit_loft(
     return LoftFit(optimum=optimum, present=present, lofts=present + statics - head.loft, values=values)
 
 
-def steady_golfer(club: str = "driver", **delivery: Any) -> Golfer:
+def steady_golfer(club: str = "driver", **delivery: float | str) -> Golfer:
     """Return a golfer who delivers the club in the same way every time.
 
     Parameters

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 from clubface import units
 from clubface.equipment.clubs import Club, club as club_of
@@ -31,7 +30,12 @@ SPRING_ERROR = 0.007
 compares it with the table of docs/finite-elements/heads.md."""
 
 
-def check_rules(club: str | Club, *, volume: Any = None, size: tuple[Any, Any, Any] | None = None) -> list[RuleVerdict]:
+def check_rules(
+    club: str | Club,
+    *,
+    volume: float | str | None = None,
+    size: tuple[float | str, float | str, float | str] | None = None,
+) -> list[RuleVerdict]:
     """Return the verdict on every limit that holds for a club.
 
     A characteristic time of 0 stands for a face that nobody has measured: no face is rigid.

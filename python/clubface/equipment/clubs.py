@@ -41,6 +41,8 @@ from clubface.support.checks import check_name, warn_once
 from clubface.support.files import builtin_names, builtin_path, is_path
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from clubface.equipment.shafts import Shaft
 
 RIGID = 0.7762
@@ -245,7 +247,7 @@ class Club(EquipmentItem):
         values = {renamed.get(key, key): getattr(self, key) for key in CLUB_PROPERTIES if key != "cor"}
         return {**values, "hand": float(self.hand), **added_inputs(self.added_inertia)}
 
-    def on_mechanism(self, operational_inertia: Any) -> Self:
+    def on_mechanism(self, operational_inertia: ArrayLike) -> Self:
         """Return the club on the mechanism of a multibody program.
 
         Parameters
@@ -263,7 +265,11 @@ class Club(EquipmentItem):
         return self.replace(added_inertia=on_mechanism(self.mass, self.inertia, operational_inertia))
 
     def on_shaft(
-        self, shaft: str | os.PathLike[str] | Shaft, *, contact_time: Any = CONTACT_TIME, matching: str = "motion"
+        self,
+        shaft: str | os.PathLike[str] | Shaft,
+        *,
+        contact_time: float | str = CONTACT_TIME,
+        matching: str = "motion",
     ) -> Self:
         """Return the club on a shaft: a built-in name, the path of a TOML file, or a :class:`clubface.Shaft`.
 

@@ -174,7 +174,7 @@ class Shaft(EquipmentItem):
         return modes(self.beam(), _inertia(club), tip, np.array(self.axis))
 
     def added_inertia(
-        self, club: Head, *, contact_time: Any = CONTACT_TIME, matching: str = MATCHINGS[0]
+        self, club: Head, *, contact_time: float | str = CONTACT_TIME, matching: str = MATCHINGS[0]
     ) -> tuple[tuple[float, ...], ...]:
         """Return what the shaft adds to the inertia of a head while it meets a ball, as :class:`clubface.Club` has it.
 

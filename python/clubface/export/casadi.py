@@ -20,9 +20,11 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError, Wording
 from clubface.simulation.differentiable import ROUGH, Differentiable, FlightFunction, LaunchFunction
-from clubface.simulation.flight import BALL, Air, conditions
-from clubface.simulation.inputs import OF_CLUB
+from clubface.simulation.flight import BALL, AirLike, GroundLike, WindLike, conditions
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import OF_CLUB, HandLike
 from clubface.simulation.results import flight_inputs, flight_outputs, inputs, outputs
+from clubface.support.arrays import ValueLike
 from clubface.support.version import __version__
 
 LAUNCHED = ("velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z")
@@ -31,18 +33,18 @@ LAUNCHED = ("velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_
 
 def casadi_source(
     club: str | os.PathLike[str] | Club,
-    delivery: Mapping[str, Any] | None = None,
+    delivery: Mapping[str, ValueLike] | None = None,
     *,
     variables: Iterable[str] | None = None,
     quantities: Iterable[str] | None = None,
     model: str = DEFAULT_MODEL,
-    parameters: Any = None,
+    parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    hand: HandLike | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
 ) -> str:
     """Return C source of the functions ``impact`` and ``flight`` for ``casadi.external``, with exact Jacobians.
 

@@ -24,7 +24,8 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import reduced_model
 from clubface.errors import InputError, RunError
-from clubface.simulation.inputs import prepare
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import HandLike, prepare
 from clubface.simulation.multibody import DEFAULT_MODEL, SPEED
 from clubface.simulation.results import inputs, outputs
 from clubface.support.checks import check_choice
@@ -73,9 +74,9 @@ def write_fmu(
     club: str | os.PathLike[str] | Club,
     *,
     model: str = DEFAULT_MODEL,
-    parameters: Any = None,
+    parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     version: str = "2.0",
 ) -> Path:
     """Write a unit for co-simulation, and return its path.

@@ -4,23 +4,24 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.simulation.inputs import equipped, shots
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import HandLike, equipped, shots
 from clubface.simulation.results import inputs
+from clubface.support.arrays import ValueLike
 
 
 def inputs_csv(
     club: str | os.PathLike[str] | Club,
-    delivery: Mapping[str, Any],
+    delivery: Mapping[str, ValueLike],
     *,
     model: str = DEFAULT_MODEL,
-    parameters: Any = None,
+    parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
 ) -> str:
     """Return a table with the columns ``kind``, ``name``, ``value`` and ``unit``.
 

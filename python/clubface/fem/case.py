@@ -158,7 +158,7 @@ class CaseFile:
     name: str = file_key(NAME, "its name in tables")
     description: str = file_key(TEXT, "one sentence", default="")
     ball: Ball = file_key(Reference(ball), "the ball, made of pieces")
-    friction: Any = file_key(Unread(COVER_FRICTION), "Coulomb friction; that of the ball unless given", default=None)
+    friction: float = file_key(Unread(COVER_FRICTION), "Coulomb friction; that of the ball unless given", default=None)
     head: tuple[str, Any] = file_key(
         _HEAD, 'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one'
     )

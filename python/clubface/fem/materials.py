@@ -449,8 +449,8 @@ class Material:
     @classmethod
     def linear(
         cls,
-        youngs: Any,
-        poisson: Any,
+        youngs: float | str,
+        poisson: float | str,
         density: Any = None,
         maxwell: Sequence[Maxwell] = (),
         volumetric: str | None = None,

@@ -198,7 +198,7 @@ FRICTION = 0.35
 def reference(
     *,
     ball: str | os.PathLike[str] | Ball = "reference",
-    friction: Any = FRICTION,
+    friction: float | str = FRICTION,
     refine: int = 1,
     element: str = "one-point",
     settings: Settings | None = None,

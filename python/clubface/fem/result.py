@@ -23,6 +23,7 @@ from clubface.fem.geometry import EDGES, outer_sides, outer_triangles
 from clubface.fem.heads import ShellHead
 from clubface.results.result import Described, Result
 from clubface.simulation.results import inputs
+from clubface.support.arrays import Floats
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
@@ -74,24 +75,24 @@ class ElementFields:
         return cls(stress, strain, arrays[2].reshape(frames, elements))
 
     @property
-    def pressure(self) -> NDArray[Any]:
+    def pressure(self) -> Floats:
         """Minus the mean stress [Pa]; positive in compression."""
         return -self.stress[..., :3].mean(axis=-1)
 
     @property
-    def von_mises(self) -> NDArray[Any]:
+    def von_mises(self) -> Floats:
         """Equivalent stress of von Mises [Pa]."""
         return von_mises(self.stress)
 
 
-def von_mises(stress: NDArray[Any]) -> NDArray[Any]:
+def von_mises(stress: NDArray[Any]) -> Floats:
     """Return the equivalent stress of von Mises of tensors, components last."""
     xx, yy, zz, xy, xz, yz = np.moveaxis(stress, -1, 0)
     differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
 
 
-def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> NDArray[Any]:
+def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> Floats:
     """Return symmetric tensors (components last) in axes in which the old ones are the columns of ``rotation``."""
     xx, yy, zz, xy, xz, yz = np.moveaxis(tensors, -1, 0)
     whole = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
@@ -307,7 +308,7 @@ class Impact(Described):
 
         return impact_result(self)
 
-    def relative_velocity(self) -> NDArray[Any]:
+    def relative_velocity(self) -> Floats:
         """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).
 
         The components are along the normal of first touch, up the face (the tangential velocity of Roh and Lee) and
@@ -320,17 +321,17 @@ class Impact(Described):
         club, ball = self.equipment
         return velocity + ball.mass / club.mass * (velocity - velocity[:1])
 
-    def world_club_velocity(self) -> NDArray[Any]:
+    def world_club_velocity(self) -> Floats:
         """Return the velocity of the clubhead's CG in world axes [m/s], shape (records, 3), from that of the ball."""
         along = self.motion["velocity"] - self.relative_velocity() + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
-    def world_velocity(self) -> NDArray[Any]:
+    def world_velocity(self) -> Floats:
         """Return the velocity of the ball in world axes [m/s], shape (records, 3)."""
         along = self.motion["velocity"] + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
-    def world_positions(self, shapes: NDArray[Any] | None = None) -> NDArray[Any]:
+    def world_positions(self, shapes: NDArray[Any] | None = None) -> Floats:
         """Return the nodes of deformed shapes, by default of the ball, in world axes [m], shape (shapes, nodes, 3).
 
         The origin is the clubhead's CG at first touch, or the point of a plane where the ball first touches it. For a
@@ -420,7 +421,7 @@ class SurfaceRecovery:
             chosen[row, : len(patch)], weights[row, : len(patch)] = patch, shares
         return cls(surface, quads, chosen, weights, np.array([inside for *_, inside in patches]))
 
-    def at_nodes(self, values: NDArray[Any]) -> NDArray[Any]:
+    def at_nodes(self, values: NDArray[Any]) -> Floats:
         """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
 

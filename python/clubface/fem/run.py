@@ -25,7 +25,7 @@ from clubface.fem.heads import head_names
 from clubface.fem.heads.meshed import MeshedHead, ShellHead, mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.settings import Settings, settings_of
-from clubface.simulation.inputs import Delivery, as_values, equipment, shots
+from clubface.simulation.inputs import DeliveryLike, as_values, equipment, shots
 from clubface.simulation.results import input_columns, outputs
 from clubface.support.checks import check_choice, check_names, warn_once
 from clubface.support.files import builtin_names, is_path
@@ -78,9 +78,9 @@ def simulate(
 def throw(
     ball: AnyBall = None,
     *,
-    speed: Any,
-    angle: Any = 0.0,
-    friction: Any = None,
+    speed: float | str,
+    angle: float | str = 0.0,
+    friction: float | str | None = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
 ) -> Impact:
@@ -113,7 +113,7 @@ def case(ball: Ball, face: Mapping[str, Any], friction: float, how: Settings) ->
     return {"ball": ball.values(), "face": face, "friction": friction, "run": how.values()}
 
 
-def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
+def throw_values(speed: float | str, angle: float | str) -> tuple[float, float]:
     """Return speed [m/s] and angle [rad] of a throw, checked."""
     v = units.parse(speed, "speed", name="speed")
     if not THROW_SPEEDS[0] <= v <= THROW_SPEEDS[1]:
@@ -128,13 +128,13 @@ def throw_values(speed: Any, angle: Any) -> tuple[float, float]:
 @renamed_arguments(which="ball")
 def strike(
     club: str | os.PathLike[str] | Club | MeshedHead,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     ball: AnyBall = None,
-    friction: Any = None,
+    friction: float | str | None = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
-    **values: Any,
+    **values: float | str | None,
 ) -> Impact:
     """Hit a ball with a head: the rigid head of a club, or a meshed head.
 
@@ -273,14 +273,14 @@ def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str,
 @renamed_arguments(which="ball")
 def sensitivity(
     club: str | os.PathLike[str] | Club | ShellHead,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     by: Iterable[str],
     ball: AnyBall = None,
-    friction: Any = None,
+    friction: float | str | None = None,
     settings: Settings | None = None,
     progress: Progress | None = None,
-    **values: Any,
+    **values: float | str | None,
 ) -> Derivatives:
     """Differentiate the launch of one impact.
 

@@ -35,7 +35,7 @@ from clubface.simulation.spin import (
     agreeing,
     wrapped,
 )
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import MOST_SEED, check_count, check_names, without_warnings
 
 STEP = 1e-4
@@ -64,16 +64,16 @@ _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.ite
 
 
 def infer(
-    launch: Mapping[str, Any],
+    launch: Mapping[str, ValueLike],
     *,
     club: str | os.PathLike[str] | Club,
-    delivery: Mapping[str, Any] | None = None,
+    delivery: Mapping[str, ValueLike] | None = None,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     prior: Prior | str | os.PathLike[str] | None = None,
-    noise: Mapping[str, Any] | None = None,
-    delivery_noise: Mapping[str, Any] | None = None,
+    noise: Mapping[str, ValueLike] | None = None,
+    delivery_noise: Mapping[str, ValueLike] | None = None,
     samples: int = 2000,
     seed: int = 0,
     accuracy: float | None = None,
@@ -141,8 +141,8 @@ class Inference:
         parameters: Parameters | None = None,
         ball: str | os.PathLike[str] | Ball | None = None,
         prior: Prior | str | os.PathLike[str] | None = None,
-        noise: Mapping[str, Any] | None = None,
-        delivery_noise: Mapping[str, Any] | None = None,
+        noise: Mapping[str, ValueLike] | None = None,
+        delivery_noise: Mapping[str, ValueLike] | None = None,
         samples: int = 2000,
         seed: int = 0,
         accuracy: float | None = None,
@@ -174,8 +174,8 @@ class Inference:
 
     def of(
         self,
-        launch: Mapping[str, Any],
-        delivery: Mapping[str, Any] | None = None,
+        launch: Mapping[str, ValueLike],
+        delivery: Mapping[str, ValueLike] | None = None,
         *,
         progress: Callable[[float], object] | None = None,
     ) -> Posterior:
@@ -306,7 +306,7 @@ class Inference:
         return np.stack([given[name] for name in names], axis=1)
 
 
-def _measured(launch: Mapping[str, Any]) -> dict[str, float]:
+def _measured(launch: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured quantities, SI, all that was measured of the spin as backspin and sidespin."""
     if not isinstance(launch, Mapping):
         raise InputError("launch", launch, 'a mapping of what was measured, as in {"ball_speed": "160 mph"}')
@@ -334,7 +334,7 @@ def _parts(spins: dict[str, float]) -> dict[str, float]:
     return {name: float(known[name][0]) for name in (BACK, SIDE)}
 
 
-def _measured_club(delivery: Mapping[str, Any]) -> dict[str, float]:
+def _measured_club(delivery: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return what was measured of the club, SI."""
     if not isinstance(delivery, Mapping):
         raise InputError("delivery", delivery, 'a mapping of what was measured, as in {"speed": "110 mph"}')

@@ -26,6 +26,7 @@ from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow, assume_values
 from clubface.shots.reference_points import refer
 from clubface.simulation.inputs import OF_CLUB
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_choice
 
 REFUSE, NOTE = MISMATCH = ("refuse", "note")
@@ -98,7 +99,7 @@ def ready_shots(
     only: str | None = None,
     where: str | None = None,
     mismatch: str = "refuse",
-    assume: Mapping[str, Any] | None = None,
+    assume: Mapping[str, ValueLike] | None = None,
 ) -> ReadyShots:
     """Make recorded shots of one club ready for models.
 
@@ -256,7 +257,7 @@ def measured_shots(
     only: str | None = None,
     where: str | None = None,
     mismatch: str = "refuse",
-    assume: Mapping[str, Any] | None = None,
+    assume: Mapping[str, ValueLike] | None = None,
     quantities: Iterable[str] = tuple(QUANTITIES),
     compared_at: str = DELIVERY,
 ) -> MeasuredShots:

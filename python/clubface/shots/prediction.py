@@ -30,11 +30,12 @@ from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
 from clubface.shots.tables.headings import HAND, ColumnLayout
 from clubface.shots.tables.parquet import ParquetForm
 from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_parquet
-from clubface.simulation.flight import Air, check_conditions, conditions, fly
+from clubface.simulation.flight import AirLike, WindLike, check_conditions, conditions, fly
 from clubface.simulation.impact import Parameters, Tally, backend_of, impact
-from clubface.simulation.inputs import equipped, hand_value, thread_count, tolerance
+from clubface.simulation.inputs import HandLike, equipped, hand_value, thread_count, tolerance
 from clubface.simulation.launch import computed_with, variant_caveats
 from clubface.simulation.own_law import source_of
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_count, without_warnings
 from clubface.support.files import input_file, recorded, same_file
 from clubface.units import from_si, show, to_si
@@ -370,11 +371,11 @@ def predict(
     model: str = DEFAULT_MODEL,
     ball: str | os.PathLike[str] | Ball | None = None,
     parameters: Parameters | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     accuracy: float | None = None,
     carry: bool = True,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
     output: str | os.PathLike[str] | None = None,
     rejects: str | os.PathLike[str] | None = None,
     format: str | None = None,
@@ -383,7 +384,7 @@ def predict(
     only: str | None = None,
     where: str | None = None,
     mismatch: str = "refuse",
-    assume: Mapping[str, Any] | None = None,
+    assume: Mapping[str, ValueLike] | None = None,
     chunk_rows: int = CHUNK_ROWS,
     threads: int | None = None,
     progress: Callable[[float, int], object] | None = None,

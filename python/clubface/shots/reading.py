@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import chain, islice, zip_longest
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from clubface.shots.tables.parquet import ENDINGS as PARQUET, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_rows
 from clubface.simulation.results import inputs
 from clubface.support.checks import check_choice
+
+if TYPE_CHECKING:
+    from clubface.shots.reference_points import ClubByName
 
 TELLING = frozenset({"speed", "ball_speed", "launch"})
 """Quantities of which a table of shots has one."""
@@ -124,7 +127,7 @@ def read(
     mapping: str | os.PathLike[str] | None = None,
     *,
     units: Mapping[str, str] | None = None,
-    club: Any = None,
+    club: ClubByName | None = None,
 ) -> RecordedShots:
     """Read the file of a launch monitor: deliveries and launches in SI units, with the signs of clubface.
 

@@ -31,7 +31,7 @@ from clubface.shots.tables.writer import write_columns
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import inputs
 from clubface.simulation.spin import SPINS, complete, notes_of
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import short_names
 from clubface.units import SI_UNITS, from_si, is_missing, parse_values
@@ -429,7 +429,7 @@ def _columns(
 Shots = TypeVar("Shots", bound=RecordedShots)
 
 
-def assume_values(shots: Shots, assume: Mapping[str, Any]) -> Shots:
+def assume_values(shots: Shots, assume: Mapping[str, ValueLike]) -> Shots:
     """Return the shots with stated values where those of a delivery were not measured, and notes that count them.
 
     Parameters

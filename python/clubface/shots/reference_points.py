@@ -9,6 +9,7 @@ TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -29,7 +30,11 @@ CLOSE = 1e-14
 MOST_STEPS = 60
 
 
-def refer(shots: RecordedShots, club: Any) -> RecordedShots:
+ClubByName = str | os.PathLike[str] | Club | Mapping[str, str | os.PathLike[str] | Club]
+"""A club, its name or its file; or one for each name of a club in the shots."""
+
+
+def refer(shots: RecordedShots, club: ClubByName) -> RecordedShots:
     """Return the shots with the motion of the club at its centre of gravity and the face angles at the face centre.
 
     The velocity of the centre of gravity is that of the face centre minus omega x r. Here r is the vector from the

@@ -15,9 +15,18 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, Wording
 from clubface.simulation.differentiable import Differentiable, FlightFunction, LaunchFunction
-from clubface.simulation.flight import AXES, BALL, Air, conditions
+from clubface.simulation.flight import AXES, BALL, AirLike, GroundLike, WindLike, conditions
 from clubface.simulation.impact import Parameters
-from clubface.simulation.inputs import OF_CLUB, Delivery, as_values, equipment, head_of, point_of
+from clubface.simulation.inputs import (
+    OF_CLUB,
+    Delivery,
+    DeliveryLike,
+    HandLike,
+    as_values,
+    equipment,
+    head_of,
+    point_of,
+)
 from clubface.simulation.launch import vectors
 from clubface.simulation.pose import Head, Pose, delivery_of_pose, pose_of_delivery, repeated
 from clubface.simulation.results import flight_inputs, outputs as launch_outputs
@@ -43,13 +52,13 @@ class ArrayFunctions(ABC, Generic[Array]):
     def impact(
         self,
         club: str | os.PathLike[str] | Club,
-        delivery: Delivery | Mapping[str, Any] | None = None,
+        delivery: DeliveryLike | None = None,
         *,
         model: str = DEFAULT_MODEL,
         parameters: Parameters | None = None,
         ball: str | os.PathLike[str] | Ball | None = None,
         accuracy: float | None = None,
-        hand: Any = None,
+        hand: HandLike | None = None,
         outputs: Iterable[str] | None = None,
         threads: int | None = None,
         on_error: Literal["raise", "nan"] = "raise",
@@ -90,9 +99,9 @@ class ArrayFunctions(ABC, Generic[Array]):
         self,
         launch: Mapping[str, Any],
         *,
-        air: Air | Mapping[str, Any] | None = None,
-        wind: Any = None,
-        ground: str | Mapping[str, Any] | None = None,
+        air: AirLike | None = None,
+        wind: WindLike | None = None,
+        ground: GroundLike | None = None,
         ball: str | os.PathLike[str] | Ball | None = None,
         outputs: Iterable[str] | None = None,
         threads: int | None = None,
@@ -143,7 +152,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         ball: str | os.PathLike[str] | Ball | None = None,
         ball_position: Any = (0.0, 0.0, 0.0),
         point: Any = "cg",
-        hand: Any = None,
+        hand: HandLike | None = None,
     ) -> dict[str, Array]:
         """Return the values of a delivery by the pose and motion of the head, as :meth:`clubface.Delivery.from_pose`.
 
@@ -172,7 +181,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         ball: str | os.PathLike[str] | Ball | None = None,
         ball_position: Any = (0.0, 0.0, 0.0),
         point: Any = "cg",
-        hand: Any = None,
+        hand: HandLike | None = None,
     ) -> Pose:
         """Return where the head of a delivery is at first touch and how it moves, as :meth:`clubface.Delivery.pose`.
 
@@ -234,7 +243,7 @@ class ArrayFunctions(ABC, Generic[Array]):
     def _launch_function(
         self,
         club: str | os.PathLike[str] | Club,
-        delivery: Delivery | Mapping[str, Any] | None,
+        delivery: DeliveryLike | None,
         values: Mapping[str, Any],
         parameters: Any,
         **options: Any,
@@ -255,7 +264,7 @@ class ArrayFunctions(ABC, Generic[Array]):
     def _flight_function(
         self,
         launch: Mapping[str, Any],
-        air: Air | Mapping[str, Any] | None,
+        air: AirLike | None,
         wind: Any,
         ground: str | Mapping[str, Any] | None,
         ball: str | os.PathLike[str] | Ball | None,

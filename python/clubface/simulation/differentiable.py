@@ -21,7 +21,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import Model, reduced_model
 from clubface.errors import InputError, Wording
 from clubface.simulation import core
-from clubface.simulation.inputs import check_on_error, equipped, shots, thread_count, tolerance
+from clubface.simulation.inputs import HandLike, check_on_error, equipped, shots, thread_count, tolerance
 from clubface.simulation.results import (
     Variable,
     first_error,
@@ -188,7 +188,7 @@ class LaunchFunction(Differentiable):
         parameters: Any = None,
         ball: str | os.PathLike[str] | Ball | None = None,
         accuracy: float | None = None,
-        hand: Any = None,
+        hand: HandLike | None = None,
         outputs: Iterable[str] | None = None,
         threads: int | None = None,
         on_error: Literal["raise", "nan"] = "raise",

@@ -24,14 +24,15 @@ from clubface.results.notes import Note, note, quantity_text
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
-from clubface.simulation.flight import SPIN, VELOCITY, Flight, fly, trajectory
-from clubface.simulation.impact import impact
-from clubface.simulation.inputs import Delivery, as_values
+from clubface.simulation.flight import SPIN, VELOCITY, AirLike, Flight, GroundLike, WindLike, fly, trajectory
+from clubface.simulation.impact import Parameters, impact
+from clubface.simulation.inputs import DeliveryLike, HandLike, as_values
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.simulation.sensitivity import flight_derivatives, sensitivity
 from clubface.simulation.shot_result import flight_views, lie_note, shape_note, shot_title, subject
 from clubface.simulation.shot_shape import BIG_CURVE, STRAIGHT_CURVE, STRAIGHT_START
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import without_warnings
 
 __all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
@@ -208,17 +209,17 @@ class Explanation(Described):
 
 def explain(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str = DEFAULT_MODEL,
-    parameters: Any = None,
+    parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
-    **values: Any,
+    hand: HandLike | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
+    **values: ValueLike | None,
 ) -> Explanation:
     """Compute a shot and what it would be with one thing changed, and say why it flies as it does.
 

@@ -27,7 +27,7 @@ from clubface.errors import InputError, ShotError, Wording
 from clubface.results.notes import Note
 from clubface.results.result import Result
 from clubface.simulation import core
-from clubface.simulation.inputs import check_on_error, common_shape, hand_value, thread_count
+from clubface.simulation.inputs import HandLike, check_on_error, common_shape, hand_value, thread_count
 from clubface.simulation.launch import Comparison, Launch, assumptions_of, vectors
 from clubface.simulation.results import (
     Batch,
@@ -41,6 +41,7 @@ from clubface.simulation.results import (
     translate_core_error,
 )
 from clubface.simulation.shot_shape import shot_shape
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
@@ -136,6 +137,14 @@ class Air:
         return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
 
 
+AirLike = Air | Mapping[str, ValueLike]
+"""Air, or its values by name."""
+WindLike = ValueLike | Mapping[str, ValueLike]
+"""Three components to the target, up and right; or these by name, or speed and direction of a level wind."""
+GroundLike = str | Mapping[str, ValueLike]
+"""The name of a ground, or its values by name."""
+
+
 def air_of(values: Air | Mapping[str, Any] | None) -> Air:
     """Return the air meant by None, a mapping of its values, or an :class:`Air` itself."""
     if values is None:
@@ -182,8 +191,8 @@ class FlightColumns(NamedTuple):
 
 
 def flight_columns(
-    launch: Launch | Mapping[str, Any],
-    air: Air | Mapping[str, Any] | None,
+    launch: Launch | Mapping[str, ValueLike],
+    air: AirLike | None,
     wind: Any,
     ground: str | Mapping[str, Any] | None,
 ) -> FlightColumns:
@@ -218,14 +227,14 @@ def flight_columns(
     return FlightColumns(flat, shape, varied)
 
 
-def conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> dict[str, Any]:
+def conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> dict[str, Any]:
     """Return the inputs of a flight that air, wind and ground give [SI], by name."""
     blowing = _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
     given = {**air_of(air).values(), **blowing, **ground_of(ground)}
     return {name: _parsed(value, name) for name, value in given.items()}
 
 
-def check_conditions(air: Air | Mapping[str, Any] | None, wind: Any, ground: Any = None) -> None:
+def check_conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> None:
     """Refuse air, wind and ground, single numbers all, that no flight takes."""
     for name, value in conditions(air, wind, ground).items():
         allowed = flight_inputs()[name]
@@ -359,7 +368,7 @@ class Flight(Batch):
         """Horizontal direction in which the ball starts [rad], right of the target is positive."""
         return _of_shape(np.arctan2(self._columns["velocity_z"], self._columns["velocity_x"]), self.shape)
 
-    def shot_shape(self, hand: Any = None) -> Any:
+    def shot_shape(self, hand: HandLike | None = None) -> Any:
         """Return what golfers call the shot, such as "pull hook", and an array of it for a batch.
 
         Parameters
@@ -412,30 +421,30 @@ class Flight(Batch):
 def fly(  # pyright: ignore[reportOverlappingOverload]
     launch: Comparison,
     *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
 ) -> dict[str, Flight]: ...
 @overload
 def fly(
-    launch: Launch | Mapping[str, Any],
+    launch: Launch | Mapping[str, ValueLike],
     *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
 ) -> Flight: ...
 def fly(
-    launch: Launch | Comparison | Mapping[str, Any],
+    launch: Launch | Comparison | Mapping[str, ValueLike],
     *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
@@ -561,11 +570,11 @@ class Trajectory(Series):
 
 
 def trajectory(
-    launch: Launch | Mapping[str, Any],
+    launch: Launch | Mapping[str, ValueLike],
     *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
 ) -> Trajectory:
     """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)

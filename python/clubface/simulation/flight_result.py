@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from clubface.quantities import format_value, quantity
 from clubface.results.notes import Note, note
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
 from clubface.results.table import column, text
-from clubface.simulation.flight import fly, has_measured_run, trajectory
+from clubface.simulation.flight import AirLike, GroundLike, WindLike, fly, has_measured_run, trajectory
 from clubface.simulation.provenance import flight_conditions
 from clubface.simulation.shot_result import shape_note, shot_picture
 
@@ -25,9 +24,9 @@ ENDS = ("soft", "firm")
 def flight_result(
     launch: Mapping[str, float],
     *,
-    air: Any = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
     hand: str = "right",
 ) -> Result:
     """Fly a ball and return its way through the air and on the ground, of a low ball on soft and firm ground too.

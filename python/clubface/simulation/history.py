@@ -15,9 +15,10 @@ from clubface.equipment.models import model as model_named, models
 from clubface.errors import InputError
 from clubface.results.result import Result
 from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, prepare, tolerance
+from clubface.simulation.inputs import DeliveryLike, HandLike, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Series, Variable, in_unit
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_choice
 
 _STEPS = {
@@ -165,14 +166,14 @@ class History(Series):
 
 def history(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str = "volumetric",
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
-    **values: Any,
+    hand: HandLike | None = None,
+    **values: ValueLike | None,
 ) -> History:
     """Compute one contact and keep every step; the arguments are those of :func:`impact`, for a single shot.
 

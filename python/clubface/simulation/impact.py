@@ -22,7 +22,8 @@ from clubface.errors import InputError, RangeWarning
 from clubface.results.notes import Note
 from clubface.simulation import core
 from clubface.simulation.inputs import (
-    Delivery,
+    DeliveryLike,
+    HandLike,
     as_values,
     check_on_error,
     prepare,
@@ -31,6 +32,7 @@ from clubface.simulation.inputs import (
 )
 from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.results import first_error, input_columns, outputs
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_names, is_silent, warn_once, without_warnings
 
 if TYPE_CHECKING:
@@ -301,46 +303,46 @@ Parameters = ParameterSet | str | os.PathLike[str] | Mapping[str, Any]
 @overload
 def impact(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
-    **values: Any,
+    **values: ValueLike | None,
 ) -> Launch: ...
 @overload
 def impact(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: Iterable[str],
     parameters: Mapping[str, Parameters | None] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
-    **values: Any,
+    **values: ValueLike | None,
 ) -> Comparison: ...
 def impact(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str | Iterable[str] = DEFAULT_MODEL,
-    parameters: Any = None,
+    parameters: Parameters | Mapping[str, Parameters | None] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
-    **values: Any,
+    **values: ValueLike | None,
 ) -> Launch | Comparison:
     """Compute the launch of a ball hit by a club.
 

@@ -11,7 +11,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias
 
 from clubface import units
 from clubface.equipment.balls import Ball, ball
@@ -28,9 +28,10 @@ from clubface.support.processes import FAILED, check_request
 from clubface.units import parse_values
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from clubface.simulation.pose import Head, Pose
+    from clubface.support.arrays import ValueLike
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,17 +103,17 @@ class Delivery:
     @classmethod
     def from_pose(
         cls,
-        rotation: Any,
-        position: Any,
-        velocity: Any,
-        angular_velocity: Any,
+        rotation: ArrayLike,
+        position: ArrayLike,
+        velocity: ArrayLike,
+        angular_velocity: ArrayLike,
         *,
         club: str | os.PathLike[str] | Club,
         ball: str | os.PathLike[str] | Ball | None = None,
-        ball_position: Any = (0.0, 0.0, 0.0),
-        ball_angular_velocity: Any = (0.0, 0.0, 0.0),
-        point: Any = "cg",
-        hand: Any = None,
+        ball_position: ArrayLike = (0.0, 0.0, 0.0),
+        ball_angular_velocity: ArrayLike = (0.0, 0.0, 0.0),
+        point: str | ArrayLike = "cg",
+        hand: HandLike | None = None,
     ) -> Self:
         """Return the delivery of a head whose pose and motion are known, as in a multibody program.
 
@@ -185,9 +186,9 @@ class Delivery:
         club: str | os.PathLike[str] | Club,
         *,
         ball: str | os.PathLike[str] | Ball | None = None,
-        ball_position: Any = (0.0, 0.0, 0.0),
-        point: Any = "cg",
-        hand: Any = None,
+        ball_position: ArrayLike = (0.0, 0.0, 0.0),
+        point: str | ArrayLike = "cg",
+        hand: HandLike | None = None,
     ) -> Pose:
         """Return rotation, position, velocity and angular velocity of the head at first touch.
 
@@ -205,6 +206,12 @@ class Delivery:
         common_shape(values | {"ball_position": place[..., 0], "point": offset[..., 0]})
         values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
         return pose_of_delivery(np, values, place, head, offset)
+
+
+DeliveryLike: TypeAlias = "Delivery | Mapping[str, ValueLike | None]"
+"""A delivery, or its values by name."""
+HandLike: TypeAlias = "ValueLike"
+"""The hand of a club: "right" or 1, "left" or -1, or an array of these numbers."""
 
 
 OF_CLUB = {
@@ -263,7 +270,7 @@ class Equipment(NamedTuple):
     columns: tuple[float, ...]
 
 
-def head_of(setup: Equipment, hand: Any = None) -> Head:
+def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
     """Return the geometry by which a head touches a ball."""
     from clubface.simulation.pose import Head
 
@@ -371,7 +378,7 @@ def prepare(
     values: Mapping[str, Any],
     ball: str | os.PathLike[str] | Ball | None,
     parameters: Any,
-    hand: Any = None,
+    hand: HandLike | None = None,
     *,
     outputs: int | None = None,
     single: str = "",
@@ -447,7 +454,7 @@ def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tupl
     return setup, chosen
 
 
-def shots(setup: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> Shots:
+def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None = None) -> Shots:
     """Lay out shots whose inputs differ from ``setup`` by ``values``: text with a unit, SI numbers, or arrays.
 
     A value that is None counts as left out. The loft left out is the club's; the speed cannot be left out.
@@ -467,9 +474,9 @@ def shots(setup: Equipment, values: Mapping[str, Any], *, hand: Any = None) -> S
                 varied[name] = value
         columns[column] = value
     if hand is not None:
-        columns[column_of[_HAND]] = hand = hand_value(hand)
-        if type(hand) is not float:
-            varied[_HAND] = hand
+        columns[column_of[_HAND]] = side = hand_value(hand)
+        if type(side) is not float:
+            varied[_HAND] = side
     if values.get("speed") is None:
         raise InputError("speed", None, 'give it, as in speed="113 mph": it is the one value without a default')
     assumed = values.get(_LOFT) is None
@@ -581,7 +588,7 @@ def _published(model_name: str, family: str) -> ParameterSet:
     return ParameterSet.builtin(model_name, family)
 
 
-def as_values(delivery: Delivery | Mapping[str, Any] | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
+def as_values(delivery: DeliveryLike | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
     """Join a delivery and single values, which win."""
     if delivery is None:
         return values

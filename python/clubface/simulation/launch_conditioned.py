@@ -7,7 +7,7 @@ ball speed at the measured launch use neither, so they judge a model by what was
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,9 +19,9 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import RangeWarning
 from clubface.simulation.impact import Parameters, impact, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values
+from clubface.simulation.inputs import DeliveryLike, as_values
 from clubface.simulation.launch import Launch
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import without_warnings
 
 LOWEST, STEEPEST = units.to_si(-20.0, "deg"), units.to_si(78.0, "deg")
@@ -66,16 +66,16 @@ class ConditionedLaunch(NamedTuple):
 
 def impact_at_launch(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
-    launch: Any,
-    azimuth: Any = None,
+    launch: ValueLike,
+    azimuth: ValueLike | None = None,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
     threads: int | None = None,
-    **values: Any,
+    **values: ValueLike | None,
 ) -> ConditionedLaunch:
     """Compute shots with the dynamic loft and face angle that give their measured launch angle and start direction.
 

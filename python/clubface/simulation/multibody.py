@@ -18,7 +18,8 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Wording
 from clubface.simulation import core
-from clubface.simulation.inputs import prepare
+from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import HandLike, prepare
 from clubface.simulation.pose import rotation_rows
 from clubface.simulation.results import outputs
 
@@ -176,8 +177,8 @@ class SteppedContact:
         club: str | os.PathLike[str] | Club,
         ball: str | os.PathLike[str] | Ball | None = None,
         model: str = DEFAULT_MODEL,
-        parameters: Any = None,
-        hand: Any = None,
+        parameters: Parameters | None = None,
+        hand: HandLike | None = None,
     ) -> None:
         given, self._error = _prepared(model, club, ball, parameters, hand)
         self._held = self._call(lambda: core.ContactHandle(*given, head_values(head), ball_values(ball_motion)))
@@ -265,8 +266,8 @@ class StruckBall:
         club: str | os.PathLike[str] | Club,
         ball: str | os.PathLike[str] | Ball | None = None,
         model: str = DEFAULT_MODEL,
-        parameters: Any = None,
-        hand: Any = None,
+        parameters: Parameters | None = None,
+        hand: HandLike | None = None,
         position: Any = (0.0, 0.0, 0.0),
         velocity: Any = (0.0, 0.0, 0.0),
         angular_velocity: Any = (0.0, 0.0, 0.0),

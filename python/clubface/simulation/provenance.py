@@ -13,7 +13,7 @@ from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.quantities import display_unit, quantity
 from clubface.results.provenance import Computation, Provenance
-from clubface.simulation.flight import air_of, conditions
+from clubface.simulation.flight import AirLike, GroundLike, WindLike, air_of, conditions
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import flight_inputs
 from clubface.units import from_si, show, show_range
@@ -48,7 +48,9 @@ def provenance_of(
     )
 
 
-def flight_conditions(air: Any = None, wind: Any = None, ground: Any = None) -> dict[str, str]:
+def flight_conditions(
+    air: AirLike | None = None, wind: WindLike | None = None, ground: GroundLike | None = None
+) -> dict[str, str]:
     """Return air, wind and ground of a flight in words, those that were not given among them.
 
     Parameters

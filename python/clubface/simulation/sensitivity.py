@@ -22,9 +22,18 @@ from clubface.results.notes import Note, note
 from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
-from clubface.simulation.flight import Air, flight_columns, flight_error
+from clubface.simulation.flight import AirLike, GroundLike, WindLike, flight_columns, flight_error
 from clubface.simulation.impact import REDUCED, Parameters, Request, impact, warn_if_outside
-from clubface.simulation.inputs import Delivery, as_values, check_on_error, equipment, prepare, thread_count, tolerance
+from clubface.simulation.inputs import (
+    DeliveryLike,
+    HandLike,
+    as_values,
+    check_on_error,
+    equipment,
+    prepare,
+    thread_count,
+    tolerance,
+)
 from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.provenance import provenance_of
 from clubface.simulation.results import (
@@ -36,6 +45,7 @@ from clubface.simulation.results import (
     inputs,
     outputs as launch_outputs,
 )
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
@@ -302,20 +312,20 @@ class Sensitivity(Presentable):
 
 def sensitivity(
     club: str | os.PathLike[str] | Club,
-    delivery: Delivery | Mapping[str, Any] | None = None,
+    delivery: DeliveryLike | None = None,
     *,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    hand: Any = None,
+    hand: HandLike | None = None,
     outputs: Iterable[str] | None = None,
     variables: Iterable[str] | None = None,
     units: Mapping[str, str] | None = None,
     threads: int | None = None,
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
-    **values: Any,
+    **values: ValueLike | None,
 ) -> Sensitivity:
     """Compute the derivatives of a launch by every input and parameter, through the same code as the launch itself.
 
@@ -453,11 +463,11 @@ class FlightDerivatives(NamedTuple):
 
 
 def flight_derivatives(
-    launch: Launch | Mapping[str, Any],
+    launch: Launch | Mapping[str, ValueLike],
     *,
-    air: Air | Mapping[str, Any] | None = None,
-    wind: Any = None,
-    ground: str | Mapping[str, Any] | None = None,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
 ) -> FlightDerivatives:
     """Differentiate one flight; the arguments are those of :func:`fly`, of a single launch."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)

@@ -16,6 +16,7 @@ from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import Flight
 from clubface.simulation.impact import backend_of
+from clubface.simulation.inputs import HandLike
 from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
@@ -91,7 +92,7 @@ _TOO_LOW = {
 """Codes of the sentences that replace those about the shape of a shot if the ball does not fly."""
 
 
-def shape_note(code: str, flight: Flight, hand: Any = None, **data: Any) -> Note:
+def shape_note(code: str, flight: Flight, hand: HandLike | None = None, **data: Any) -> Note:
     """Return the note on the shape of a shot: start, curve, landing, and what golfers call that.
 
     Parameters

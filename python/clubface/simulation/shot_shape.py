@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface.simulation import core
+from clubface.support.arrays import ValueLike
 
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]
 
@@ -26,7 +27,7 @@ BIG_CURVE: float = _SHAPES["big_curve"]
 """Largest curve, as a share of the carry, that is no hook or slice: that of 12 degrees of spin axis."""
 
 
-def curve(azimuth: Any, carry: Any, side: Any) -> Any:
+def curve(azimuth: ValueLike, carry: ValueLike, side: ValueLike) -> Any:
     """Return the distance of the landing from the line on which the ball starts [m]; to the right is positive.
 
     Parameters
@@ -43,7 +44,7 @@ def curve(azimuth: Any, carry: Any, side: Any) -> Any:
     return values if shape else float(values)
 
 
-def shot_shape(azimuth: Any, curve: Any, carry: Any, *, hand: Any = 1.0) -> Any:
+def shot_shape(azimuth: ValueLike, curve: ValueLike, carry: ValueLike, *, hand: ValueLike = 1.0) -> Any:
     """Return what golfers call a shot, such as "pull hook"; "" of one that does not fly. Arrays give an array.
 
     Parameters

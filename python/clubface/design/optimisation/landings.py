@@ -20,7 +20,7 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 from clubface.quantities import Quantity, Reading, format_value
 from clubface.simulation import core
-from clubface.simulation.flight import BALL, SPIN, VELOCITY, conditions
+from clubface.simulation.flight import BALL, SPIN, VELOCITY, AirLike, GroundLike, WindLike, conditions
 from clubface.simulation.inputs import broadcast, equipped, shots
 from clubface.simulation.results import flight_inputs, flight_outputs, input_columns, outputs
 from clubface.support.arrays import Floats
@@ -52,9 +52,9 @@ class Setting:
     model: str
     parameters: Any = None
     ball: str | Ball | None = None
-    air: Any = None
-    wind: Any = None
-    ground: Any = None
+    air: AirLike | None = None
+    wind: WindLike | None = None
+    ground: GroundLike | None = None
     speed_exponent: float = SPEED_EXPONENT
     threads: int = 0
 

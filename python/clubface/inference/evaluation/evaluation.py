@@ -30,7 +30,7 @@ from clubface.simulation.inputs import OF_CLUB, parameter_set
 from clubface.simulation.launch import Launch
 from clubface.simulation.launch_conditioned import impact_at_launch
 from clubface.simulation.provenance import provenance_of
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import MOST_SEED, check_count, is_count, without_warnings
 from clubface.support.files import recorded
 
@@ -53,8 +53,8 @@ def evaluate(
     parameters: Mapping[str, Parameters] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
-    noise: Mapping[str, Any] | None = None,
-    delivery_noise: Mapping[str, Any] | None = None,
+    noise: Mapping[str, ValueLike] | None = None,
+    delivery_noise: Mapping[str, ValueLike] | None = None,
     compared_at: str = DELIVERY,
     groups: Sequence[object] | NDArray[Any] | None = None,
     resamples: int = 2000,

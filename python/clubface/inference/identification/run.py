@@ -44,7 +44,7 @@ from clubface.shots.measured import DELIVERY
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, thread_count, tolerance
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import MOST_SEED, is_count
 from clubface.support.files import recorded
 
@@ -294,7 +294,7 @@ def identify(
     groups: Any = None,
     cost: str = "published",
     normaliser: str = "absolute",
-    noise: Mapping[str, Any] | None = None,
+    noise: Mapping[str, ValueLike] | None = None,
     population: int = genetic.POPULATION,
     generations: int = genetic.GENERATIONS,
     refined: int = genetic.REFINED,

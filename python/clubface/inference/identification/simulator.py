@@ -17,7 +17,7 @@ from clubface.quantities import display_unit
 from clubface.simulation import core
 from clubface.simulation.launch_conditioned import solve_angles
 from clubface.simulation.results import outputs
-from clubface.support.arrays import Floats
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice, check_names
 
 MOST_ROWS = 1 << 18
@@ -249,7 +249,7 @@ def cost_of(
     launches: Floats,
     quantities: tuple[str, ...],
     *,
-    noise: Mapping[str, Any] | None = None,
+    noise: Mapping[str, ValueLike] | None = None,
     normaliser: str = "absolute",
 ) -> Cost:
     """Return the cost function of measured launches.
