@@ -516,28 +516,28 @@ def design() -> None:
     example = Path(__file__).parent.parent / "examples" / "faster_face.toml"
     with TemporaryDirectory() as folder:
         head = Path(folder) / "faster.toml"
-        found = command(f"clubface fem design {example} -o {head}")
+        designed = command(f"clubface fem design {example} -o {head}")
         shot = command(f'clubface shot {head} --speed "100 mph" --model response,fem')
-    best = {row["quantity"]: row["best"] for row in found.document["tables"]["best"]["rows"]}
+    best = {row["quantity"]: row["best"] for row in designed.document["tables"]["best"]["rows"]}
     print_figures(
         "best head",
-        start_mph=found("start", "mph", table="best", quantity="ball_speed"),
-        mph=found("best", "mph", table="best", quantity="ball_speed"),
+        start_mph=designed("start", "mph", table="best", quantity="ball_speed"),
+        mph=designed("best", "mph", table="best", quantity="ball_speed"),
         ct_us=best["characteristic_time"],
         face_centre_mm=best["thickness.face_centre"],
         face_edge_mm=best["thickness.face_edge"],
-        designs=len(found.document["tables"]["designs"]["rows"]),
-        runs=found("runs"),
+        designs=len(designed.document["tables"]["designs"]["rows"]),
+        runs=designed("runs"),
     )
-    for row in found.document["tables"]["metals"]["rows"]:
+    for row in designed.document["tables"]["metals"]["rows"]:
         print_figures(row["metal"], mph=clubface.units.from_si(row["ball_speed_mps"], "mph"))
     print_figures("shot", **{model: shot("ball_speed", "mph", model=model) for model in ("response", "fem")})
     study = shells.read(example)
-    metal = next(each for each in study.choices if each.name == found("metal"))
+    metal = next(each for each in study.choices if each.name == designed("metal"))
     promised = FastModel(study)(study.at(study.start(), metal))
     for quantity in ("characteristic_time", "stress"):
         unit = {"characteristic_time": "us", "stress": "MPa"}[quantity]
-        start = found("start", unit, table="limits", metal=metal.name, quantity=quantity)
+        start = designed("start", unit, table="limits", metal=metal.name, quantity=quantity)
         print_figures(
             f"fast model at the start, {quantity}", short=1.0 - clubface.units.from_si(promised[quantity], unit) / start
         )

@@ -63,8 +63,8 @@ napoleon_use_rtype = False
 def keep_names_together(app, what, name, obj, options, lines):
     """Let one description serve several attributes: a space in ``:ivar toe, high:`` would make a type of the first."""
     for number, line in enumerate(lines):
-        names, found, rest = line.removeprefix(":ivar ").partition(":")
-        if line.startswith(":ivar ") and found and ", " in names:
+        names, colon, rest = line.removeprefix(":ivar ").partition(":")
+        if line.startswith(":ivar ") and colon and ", " in names:
             together = names.replace(", ", ",\N{ZERO WIDTH SPACE}")
             lines[number] = f":ivar {together}:{rest}"
 

@@ -1,7 +1,7 @@
 """Names that no engineer would look for: each with the reason, and what to write in its place.
 
-``python scripts/check_words.py`` reads the names (functions, parameters, variables, classes) of the package, of the
-scripts and of what makes the studio's data, and prints those of the list; the exit status is 1 if there are any.
+``python scripts/check_words.py`` reads the names (functions, parameters, variables, classes) of everything in Python,
+tests, pages and examples included, and prints those of the list; the exit status is 1 if there are any.
 """
 
 from __future__ import annotations
@@ -12,7 +12,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-SOURCES = ("python/clubface/**/*.py", "scripts/**/*.py", "studio/*.py", "studio/tests/**/*.py")
+SOURCES = (
+    "python/clubface/**/*.py", "scripts/**/*.py", "tests/**/*.py", "docs/**/*.py", "studies/**/*.py",
+    "benchmarks/**/*.py", "examples/**/*.py", "paper/**/*.py", "studio/*.py", "studio/tests/**/*.py",
+)  # fmt: skip
 
 WORDS = {
     "told": "a participle says nothing of what it holds: write describe_..., words, message",
@@ -23,7 +26,10 @@ WORDS = {
     "beside": "a preposition is no name: write sibling, other or compare_with",
     "hit": "it is no noun for a set-up: write setup",
 }
-"""Names of functions, parameters and variables, alone or with an underscore before them."""
+"""Words of names of functions, parameters and variables, whose words are joined by underscores.
+
+Names of tests are sentences, and may have them.
+"""
 PARAMETERS = {
     "of": "a preposition is no parameter: write the noun it stands for",
     "which": "a pronoun is no parameter: write the noun it stands for",
@@ -47,10 +53,11 @@ def findings(text: str) -> list[tuple[int, str, str]]:
     """Return line, name and reason of every name of a module that is on the list."""
     listed = []
     for line, name, is_parameter in names_of(ast.parse(text)):
-        plain = name.strip("_").lower()
-        reason = WORDS.get(plain) or (PARAMETERS.get(name) if is_parameter else None)
-        if reason:
-            listed.append((line, name, reason))
+        words = [] if name.startswith("test_") else name.lower().split("_")
+        reasons = [WORDS[word] for word in words if word in WORDS]
+        if is_parameter and name in PARAMETERS:
+            reasons.append(PARAMETERS[name])
+        listed += [(line, name, reason) for reason in reasons]
     return sorted(listed)
 
 

@@ -19,8 +19,8 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 FLAT = {"ball_speed": 60.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0}
 
 
-def recorded(values, of="deliveries"):
-    given = {"deliveries": {}, "launches": {}} | {of: {"speed" if of == "deliveries" else "ball_speed": values}}
+def recorded(values, part="deliveries"):
+    given = {"deliveries": {}, "launches": {}} | {part: {"speed" if part == "deliveries" else "ball_speed": values}}
     shots = RecordedShots(**given, rows=[1, 2, 3], source="made", format="clubface")
     return (shots.deliveries | shots.launches).popitem()[1]
 

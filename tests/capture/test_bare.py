@@ -194,8 +194,8 @@ def test_a_position_without_accuracy_is_not_taken_to_be_exact():
 
 def test_a_ball_far_from_where_the_head_is_slowed_is_told():
     swing, recording, mapping = guessed_ball(1, 0.15, ball_accuracy=0.01)
-    (found,) = noted(capture(recording, prepare(mapping, swing.club)), "capture-contradicts-ball")
-    assert found["surprise"] > 2.5
+    (contradiction,) = noted(capture(recording, prepare(mapping, swing.club)), "capture-contradicts-ball")
+    assert contradiction["surprise"] > 2.5
 
 
 def test_a_swing_without_a_ball_has_no_blow():

@@ -51,14 +51,14 @@ def test_the_swing_by_itself_has_nothing_to_be_told():
 
 
 def test_a_swing_beside_the_ball_is_no_impact():
-    def aside(positions):
+    def sideways(positions):
         positions[:, BALL] = positions[0, BALL] + [0.5, 0.0, 0.0]
         return positions
 
     with pytest.raises(
         FileError, match=r"swing\.c3d: no impact: the face does not pass the ball; its centre comes no"
     ) as e:
-        read(aside)
+        read(sideways)
     assert "and the ball stays" in str(e.value)
     millimetres = float(str(e.value).split("nearer than ")[1].split(" mm")[0])
     assert 420 < millimetres < 520
@@ -391,9 +391,9 @@ def turned(degrees):
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_head_that_goes_more_aside_than_ahead_is_refused_and_one_far_aside_is_doubted(sign):
-    aside = np.degrees(read().delivery.path)
+    sideways = np.degrees(read().delivery.path)
     doubted = read(turned(sign * 80.0))
     assert "capture-path" in codes(doubted)
-    assert abs(np.degrees(doubted.delivery.path) - aside) == pytest.approx(80.0, abs=0.5)
+    assert abs(np.degrees(doubted.delivery.path) - sideways) == pytest.approx(80.0, abs=0.5)
     with pytest.raises(FileError, match="moves away from the target: turn the axis"):
         read(turned(sign * 100.0))

@@ -95,10 +95,10 @@ def test_a_path_is_doubted_where_it_misses_frames_noise_or_freedom(given, expect
     assert list(fit_notes(*given)) == expected
 
 
-def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
+def launched(*, late=0.2e-3, faster=1.0, higher=0.0, sideways=0.0, known=0.0):
     """The flight of the ball that the usual delivery gives, changed."""
-    hit = clubface.impact(DRIVER, si(USUAL))
-    speed, launch, azimuth = hit.ball_speed * faster, hit.launch + higher, hit.azimuth + aside
+    struck = clubface.impact(DRIVER, si(USUAL))
+    speed, launch, azimuth = struck.ball_speed * faster, struck.launch + higher, struck.azimuth + sideways
     velocity = speed * np.array([np.cos(launch) * np.cos(azimuth), np.sin(launch), np.cos(launch) * np.sin(azimuth)])
     return Launched(velocity, np.eye(3) * (known * speed) ** 2, 1.0 + late, 9)
 
@@ -111,7 +111,7 @@ def launched(*, late=0.2e-3, faster=1.0, higher=0.0, aside=0.0, known=0.0):
         ({"late": 0.76e-3}, ["ball-starts-late"]),
         # Six degrees, 15% of the speed, and three standard deviations beside both.
         ({"higher": 5.9 * DEG}, []), ({"higher": 6.1 * DEG}, ["flight-contradicts"]),
-        ({"aside": -5.9 * DEG}, []), ({"aside": -6.1 * DEG}, ["flight-contradicts"]),
+        ({"sideways": -5.9 * DEG}, []), ({"sideways": -6.1 * DEG}, ["flight-contradicts"]),
         ({"faster": 1.149}, []), ({"faster": 1.151}, ["flight-contradicts"]),
         ({"faster": 0.851}, []), ({"faster": 0.849}, ["flight-contradicts"]),
         ({"faster": 1.2, "known": 0.02}, []), ({"faster": 1.2, "known": 0.016}, ["flight-contradicts"]),

@@ -102,9 +102,9 @@ def test_accelerations_satisfy_lagranges_equations(swing, somewhere):
         def lagrangian(x, v):
             return kinetic_energy(mechanism, x, v) - potential_energy(mechanism, x, stiffness)
 
-        found = accelerations(mechanism, coordinates, rates, forces)
+        solved = accelerations(mechanism, coordinates, rates, forces)
         momentum = jax.grad(lagrangian, 1)
-        change = jax.jvp(momentum, (coordinates, rates), (rates, found))[1]
+        change = jax.jvp(momentum, (coordinates, rates), (rates, solved))[1]
         inertia = jax.jacfwd(momentum, 1)(coordinates, rates) - mass_matrix(mechanism, coordinates)
         return change - jax.grad(lagrangian)(coordinates, rates), inertia
 

@@ -217,11 +217,11 @@ def test_a_shot_that_a_full_disk_does_not_take_is_not_acknowledged(tmp_path, mon
     ports = []
     init = Listener.__init__
 
-    def told(self, *arguments, **options):
+    def recorded_call(self, *arguments, **options):
         init(self, *arguments, **options)
         ports.append(self.port)
 
-    monkeypatch.setattr(Listener, "__init__", told)
+    monkeypatch.setattr(Listener, "__init__", recorded_call)
     listen = ["monitor", "listen", "--port", "0", "--timeout", "10 s", "-o", str(path)]
     thread = threading.Thread(target=lambda: ended.append(run(listen)))
     thread.start()

@@ -50,12 +50,12 @@ TAKEN = {
 """Numbers that mean something: none, the seed 0, any free port, a track as smooth as can be."""
 
 
-def commands(of, path=()):
-    if isinstance(of, TyperGroup):
-        for name in of.list_commands(typer.Context(of)):
-            yield from commands(of.get_command(typer.Context(of), name), (*path, name))
+def commands(group, path=()):
+    if isinstance(group, TyperGroup):
+        for name in group.list_commands(typer.Context(group)):
+            yield from commands(group.get_command(typer.Context(group), name), (*path, name))
     else:
-        yield " ".join(path), of
+        yield " ".join(path), group
 
 
 NUMERIC = [

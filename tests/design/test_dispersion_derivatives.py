@@ -9,7 +9,7 @@ from clubface.design.variance import ByDerivatives, by_derivatives, moments
 from clubface.equipment.clubs import club
 from clubface.errors import InputError
 
-HIT = ImpactSetup(club("driver"), "response")
+SETUP = ImpactSetup(club("driver"), "response")
 COUNT = 2**14
 
 
@@ -25,7 +25,7 @@ def test_sampling_and_derivatives_agree_to_the_second_order(name):
     means, variances = [], []
     for factor in (1.0, 0.5):
         player = narrowed(factor)
-        derived, values = by_derivatives(player, HIT), HIT(player.sample(COUNT, seed=7))[name]
+        derived, values = by_derivatives(player, SETUP), SETUP(player.sample(COUNT, seed=7))[name]
         values = values[np.isfinite(values)]
         spread = derived.spread(name)
         means.append(abs(values.mean() - derived.mean(name)) / spread)
@@ -57,13 +57,13 @@ def test_the_formulas_are_exact_for_a_quadratic():
 
 def test_gradient_and_curvature_are_those_of_differences():
     player = narrowed(1.0)
-    derived = by_derivatives(player, HIT)
+    derived = by_derivatives(player, SETUP)
     place = player.variables.index("loft")
     step = np.zeros(len(player.mean))
     step[place] = 1e-3
 
     def carry(at):
-        return HIT({name: np.array([each]) for name, each in zip(player.variables, at, strict=True)})["carry"][0]
+        return SETUP({name: np.array([each]) for name, each in zip(player.variables, at, strict=True)})["carry"][0]
 
     above, middle, below = (carry(player.mean + side * step) for side in (1.0, 0.0, -1.0))
     assert derived.gradient["carry"][place] == pytest.approx((above - below) / 2e-3, rel=1e-3)

@@ -65,8 +65,8 @@ def test_shapley_effects_of_a_sum_of_two_correlated_variables(rho):
 
 def test_what_spreads_drives_comes_out_alike_by_sampling_and_by_derivatives():
     """1024 shots a set: some 0.02 of the variance; curvature beyond the second order may add as much."""
-    player, hit = golfer("tour-driver"), ImpactSetup(club("driver"), "response")
-    sampled, derived = indices(player, hit), indices_by_derivatives(by_derivatives(player, hit))
+    player, setup = golfer("tour-driver"), ImpactSetup(club("driver"), "response")
+    sampled, derived = indices(player, setup), indices_by_derivatives(by_derivatives(player, setup))
     assert sampled.kind == derived.kind == "shapley"
     for name in ("carry", "side"):
         assert sampled.share[name] == pytest.approx(derived.share[name], abs=0.05)

@@ -183,8 +183,8 @@ def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
 def test_swings_that_miss_the_face_are_told_and_not_counted():
     """Of a normal distribution over a rectangle, by the error function; to 1e-9 by Gauss's rule."""
     result = forgiveness(Known(lambda t, h: np.ones_like(t)), rectangle(0.06, 0.03), ("12 mm", "9 mm"), 0.0, 0.0)
-    hit = math.erf(0.030 / 0.012 / math.sqrt(2.0)) * math.erf(0.015 / 0.009 / math.sqrt(2.0))
-    assert result.missed == pytest.approx(1.0 - hit, abs=1e-9)
+    on_face = math.erf(0.030 / 0.012 / math.sqrt(2.0)) * math.erf(0.015 / 0.009 / math.sqrt(2.0))
+    assert result.missed == pytest.approx(1.0 - on_face, abs=1e-9)
     assert result.mean["ball_speed"] == pytest.approx(1.0, rel=1e-12)
     assert result.deviation["ball_speed"] == pytest.approx(0.0, abs=1e-7)
 

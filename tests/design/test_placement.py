@@ -64,9 +64,9 @@ def test_a_point_mass_at_a_place_of_the_grid_is_found_there():
 
 def test_point_masses_side_by_side_are_one_row_with_the_mass_of_all():
     at = (-0.1, 0.03, -1e-6)
-    beside = (-0.1, 0.03 - 1e-4, 1e-5)
+    nearby = (-0.1, 0.03 - 1e-4, 1e-5)
     far = (-0.1, -0.03, 0.0)
-    masses = [PointMass(0.006, at), PointMass(0.005, far), PointMass(0.004, beside), PointMass(1e-8, (0.0, 0.0, 0.0))]
+    masses = [PointMass(0.006, at), PointMass(0.005, far), PointMass(0.004, nearby), PointMass(1e-8, (0.0, 0.0, 0.0))]
     table = placement_table(masses)
     assert list(table.shown_rows) == [0, 1]
     assert table["mass"].values == pytest.approx([0.010, 0.005, 1e-8])

@@ -135,8 +135,8 @@ def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
     read = fem.head(str(target))
     best = fastest.chosen.best.values
     assert characteristic_time(read) == best["characteristic_time"]
-    hit = fem.strike(read, ball=coarse("modern"), speed=44.7, loft=0.2, settings=fem.Settings(until_separation=True))
-    assert float(hit.launch.get("ball_speed")) == best["ball_speed"]
+    struck = fem.strike(read, ball=coarse("modern"), speed=44.7, loft=0.2, settings=fem.Settings(until_separation=True))
+    assert float(struck.launch.get("ball_speed")) == best["ball_speed"]
     assert read.club.mass == best["mass"]
 
 

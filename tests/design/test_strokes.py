@@ -23,11 +23,11 @@ def test_between_two_distances_they_lie_on_a_line_and_beyond_the_last_on_the_sam
 def test_lies_follow_from_where_balls_come_to_rest():
     hole = Hole(length="400 yd", fairway="30 yd", rough="20 yd", green="10 yd")
     ahead = np.array([250.0, 250.0, 250.0, 395.0, 250.0]) * YARD
-    aside = np.array([14.0, -16.0, 36.0, 5.0, -34.0]) * YARD
-    assert hole.lies(ahead, aside).tolist() == ["fairway", "rough", "recovery", "green", "rough"]
+    sideways = np.array([14.0, -16.0, 36.0, 5.0, -34.0]) * YARD
+    assert hole.lies(ahead, sideways).tolist() == ["fairway", "rough", "recovery", "green", "rough"]
     left = float(np.hypot(150.0, 14.0))
     known = 2.91 + (left - 140.0) / 20.0 * (2.98 - 2.91)
-    assert hole.after(ahead, aside)[0] == pytest.approx(known, rel=1e-12)
+    assert hole.after(ahead, sideways)[0] == pytest.approx(known, rel=1e-12)
 
 
 def test_a_shot_of_the_tour_gains_about_nothing():

@@ -50,8 +50,8 @@ def test_a_deck_has_the_spin_of_the_ball(hand, tmp_path):
     cards = [line for line in lines[place + 1 : place + 5] if not line.startswith("$")][:2]
     rate, axis = float(cards[0][20:30]), [float(cards[1][10 * i : 10 * i + 10]) for i in (3, 4, 5)]
     least = fem.Settings(duration=1e-6, interval=1e-6)
-    hit = fem.strike(club, {**CAST, **SPIN}, settings=least)
-    world = rate * np.asarray(axis) @ hit.axes @ hit.attitude.T
+    struck = fem.strike(club, {**CAST, **SPIN}, settings=least)
+    world = rate * np.asarray(axis) @ struck.axes @ struck.attitude.T
     mirror = -1.0 if hand == "left" else 1.0
     asked = {name: clubface.units.parse(text, "angular rate") for name, text in SPIN.items()}
     want = [mirror * asked["ball_riflespin"], -mirror * asked["ball_sidespin"], asked["ball_backspin"]]

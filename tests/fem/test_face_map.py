@@ -26,7 +26,7 @@ def test_restitution_off_centre_follows_from_momentum():
     normal = nearest(point, club.bulge, club.roll)[1]
     turning = np.cross(turn.T @ np.asarray(club.cg) + point, normal)
     give = 1.0 / club.mass + turning @ np.linalg.solve(turn.T @ np.asarray(club.inertia) @ turn, turning)
-    hit = fem.strike(
+    struck = fem.strike(
         club,
         ball=ball,
         friction=0.0,
@@ -37,7 +37,7 @@ def test_restitution_off_centre_follows_from_momentum():
         settings=fem.Settings(duration=1.5e-3, until_separation=True),
     )
     mass = ball.properties()["mass"]
-    velocity = np.array([hit.launch.get(f"velocity_{axis}") for axis in "xyz"])
+    velocity = np.array([struck.launch.get(f"velocity_{axis}") for axis in "xyz"])
     expected = mass * np.linalg.norm(velocity) * (1.0 / mass + give) / (SPEED * normal[0]) - 1.0
     # The head turns a little while it is touched, by which lever and normal move against it: 0.0005 here.
     assert result == pytest.approx(expected, abs=0.002)
@@ -48,7 +48,7 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
     head, ball = coarse_head(), coarse("modern")
     club = head.club
     above = turn_to_sole(club.loft).T @ np.asarray(club.cg)
-    hit = fem.strike(
+    struck = fem.strike(
         head,
         ball=ball,
         speed=SPEED,
@@ -58,7 +58,7 @@ def test_restitution_before_the_cg_is_that_of_the_old_rule():
         settings=fem.Settings(duration=1.5e-3, until_separation=True),
     )
     mass = ball.properties()["mass"]
-    rule = hit.launch.velocity_x * (club.mass + mass) / (club.mass * SPEED) - 1.0
+    rule = struck.launch.velocity_x * (club.mass + mass) / (club.mass * SPEED) - 1.0
     # The head was tuned to have its CG there, and got it to 6 nm; momentum is exact. They are 1e-10 apart.
     assert head_tests.restitution(head, ball=ball) == pytest.approx(rule, abs=1e-8)
 

@@ -69,8 +69,8 @@ def test_the_same_impact_of_a_left_hander_is_the_mirror_image():
     # Toe, closure and the like belong to the club; the face angle to the world.
     hits = [("right", OFF_CENTRE), ("left", {**OFF_CENTRE, "face": -OFF_CENTRE["face"]})]
     right, left = (
-        fem.strike(giving(250e-6).replace(hand=hand), hit, settings=END, ball=coarse("modern")).outcome()
-        for hand, hit in hits
+        fem.strike(giving(250e-6).replace(hand=hand), delivered, settings=END, ball=coarse("modern")).outcome()
+        for hand, delivered in hits
     )
     for name in ("ball_speed", "launch", "backspin", "club_velocity_x", "club_spin_z"):
         assert left[name] == right[name]

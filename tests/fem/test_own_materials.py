@@ -241,8 +241,8 @@ def test_derivatives_by_the_constants_of_a_law_in_c(library):
     for name in ("rivlin-in-c", "mooney-rivlin"):
         ball = of_core(Material(law=name, constants=RIVLIN, poisson=0.49, maxwell=(BRANCH,)))
         by = ["core.c10", "core.c01", "core.maxwell.0.modulus", "speed"]
-        found = fem.sensitivity("driver", speed="100 mph", ball=ball, by=by)
-        slopes.append([found.by(output, each) for output in ("ball_speed", "backspin") for each in by])
+        derivatives = fem.sensitivity("driver", speed="100 mph", ball=ball, by=by)
+        slopes.append([derivatives.by(output, each) for output in ("ball_speed", "backspin") for each in by])
     # Differences of 1e-12, grown over the contact.
     assert slopes[0] == pytest.approx(slopes[1], rel=1e-6)
 

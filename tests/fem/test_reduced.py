@@ -12,8 +12,8 @@ from fem_runs import coarse, coarse_throw
 SETTINGS = fem.Settings(until_separation=True)
 
 
-def drive(which):
-    return fem.strike("driver", speed="50 m/s", loft="12 deg", ball=which, settings=SETTINGS)
+def drive(chosen):
+    return fem.strike("driver", speed="50 m/s", loft="12 deg", ball=chosen, settings=SETTINGS)
 
 
 # Error over the peak and of the contact time. Hertz' law bends as a ball's force does, until the ball is flat; the

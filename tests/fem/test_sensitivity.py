@@ -131,15 +131,15 @@ def test_four_variables_take_one_run_whatever_they_change():
 
 
 def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
-    hit = {"speed": 100.0, "loft": 0.2, "ball": SOFT, "friction": 0.2, "settings": SETTINGS}
+    setup = {"speed": 100.0, "loft": 0.2, "ball": SOFT, "friction": 0.2, "settings": SETTINGS}
     rigid = club("driver").replace(characteristic_time=0.0)
-    run = fem.strike(rigid, **hit)
-    assert run.settings.safety < fem.strike(rigid, **hit | {"speed": 45.0}).settings.safety
-    result = fem.sensitivity(rigid, by="speed", **hit)
+    run = fem.strike(rigid, **setup)
+    assert run.settings.safety < fem.strike(rigid, **setup | {"speed": 45.0}).settings.safety
+    result = fem.sensitivity(rigid, by="speed", **setup)
     # The same operations, but on numbers with derivatives.
     assert result.values["ball_speed"] == pytest.approx(run.launch.ball_speed, rel=1e-9)
     with pytest.raises(ShotError, match="choose a smaller `safety`"):
-        fem.sensitivity(rigid, by="speed", **hit | {"settings": replace(SETTINGS, safety=0.9)})
+        fem.sensitivity(rigid, by="speed", **setup | {"settings": replace(SETTINGS, safety=0.9)})
 
 
 def test_a_solid_head_is_refused():

@@ -129,8 +129,8 @@ def test_flat_and_steep_flights_are_drawn(height):
 
 def test_each_model_has_its_own_colour_and_dash_whatever_else_is_drawn(histories):
     alone = lines(plots.force_histories({"area": histories["area"]}).axes[0])[0]
-    beside = lines(plots.force_histories(histories).axes[0])[1]
-    assert alone.get_color() == beside.get_color()
+    labelled = lines(plots.force_histories(histories).axes[0])[1]
+    assert alone.get_color() == labelled.get_color()
     looks = [str(look(name)) for name in clubface.models()]
     assert len(set(looks)) == len(looks)
 

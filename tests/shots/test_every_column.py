@@ -120,9 +120,9 @@ def test_a_makers_file_lists_its_columns_that_are_not_read_too():
 
 
 def test_an_impact_point_without_a_side_is_said_to_be_taken_towards_the_toe(write):
-    for heading, is_said in (("Horiz Impact (mm)", True), ("Impact Toe (mm)", False)):
+    for heading, is_stated in (("Horiz Impact (mm)", True), ("Impact Toe (mm)", False)):
         shots = launch_monitor.read(write(f"Ball Speed (mph),{heading}\n147,4\n"))
-        assert ("toe-unsigned" in codes(shots)) == is_said
+        assert ("toe-unsigned" in codes(shots)) == is_stated
         assert_si(shots, toe=([4], "mm"))
 
 

@@ -25,13 +25,13 @@ def test_the_benchmarks_drives_and_7_irons_are_told_apart(name):
     """Their median dynamic lofts are 17.4 and 25.2 degrees."""
     pytest.importorskip("pyarrow")
     club = clubface.club(name)
-    for hit, others in (
+    for used, others in (
         ("driver", {"7-iron", "8-iron", "9-iron", "pitching-wedge"}),
         ("7-iron", {"driver", "pitching-wedge"}),
     ):
-        lofts = clubface.validation.benchmark_data.load(hit).measured.deliveries["loft"]
+        lofts = clubface.validation.benchmark_data.load(used).measured.deliveries["loft"]
         suspected = bool(check_club(club, None, lofts, "note"))
-        assert suspected == (name in others), hit
+        assert suspected == (name in others), used
 
 
 def test_a_mismatch_is_refused_or_noted_and_nothing_else():

@@ -85,8 +85,8 @@ def range_session(write):
     ):  # fmt: skip
         for more in range(4):
             name = "driver" if club == "Driver" else "7-iron"
-            hit = clubface.impact(name, speed=f"{speed + more} mph", attack="1 deg", loft=f"{loft} deg")
-            made = [hit.get(*each) for each in (("ball_speed", "mph"), ("launch", "deg"), ("azimuth", "deg"),
+            launched = clubface.impact(name, speed=f"{speed + more} mph", attack="1 deg", loft=f"{loft} deg")
+            made = [launched.get(*each) for each in (("ball_speed", "mph"), ("launch", "deg"), ("azimuth", "deg"),
                                                 ("total_spin", "rpm"), ("spin_axis", "deg"))]  # fmt: skip
             numbers = ",".join(f"{value:.2f}" for value in made)
             lines.append(f"{who},{club},{speed + more},1,0,{loft},0,{numbers},0,{carry + more}")

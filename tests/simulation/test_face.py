@@ -145,8 +145,8 @@ def test_every_way_to_a_model_keeps_the_rule_and_tells_of_it():
         clubface.sensitivity("driver", shot, model="volumetric").launch,
     ):
         assert result.input("characteristic_time") == result.input("included_time") == OWN
-        told_of = result.provenance["parameters"]
-        assert (told_of["includes_face"], told_of["characteristic_time"]) == (True, OWN)
+        recorded = result.provenance["parameters"]
+        assert (recorded["includes_face"], recorded["characteristic_time"]) == (True, OWN)
         assert result.provenance["changed"]["values"] == {}
 
 

@@ -20,8 +20,8 @@ CLUB = SweepAxis(name="club", unit=None, choices=("driver", "3-wood"), count=2)
 BETWEEN = (SweepAxis(name="x", unit="1", ends=(2.0, 4.0)), SweepAxis(name="y", unit="1", ends=(-1.0, 1.0)), CLUB)
 
 
-def joined(of, size):
-    parts = [of.values(range(first, min(first + size, of.count))) for first in range(0, of.count, size)]
+def joined(points, size):
+    parts = [points.values(range(first, min(first + size, points.count))) for first in range(0, points.count, size)]
     return {name: np.concatenate([each[name] for each in parts]) for name in parts[0]}
 
 

@@ -12,8 +12,8 @@ SLURM = {"SLURM_ARRAY_TASK_ID": "12", "SLURM_ARRAY_TASK_MIN": "10", "SLURM_ARRAY
 
 
 @given(st.integers(1, 50), st.integers(0, 500))
-def test_every_chunk_falls_to_one_share(of, chunk):
-    assert sum(chunk in shard_of(f"{number}/{of}").of_all(501) for number in range(1, of + 1)) == 1
+def test_every_chunk_falls_to_one_share(count, chunk):
+    assert sum(chunk in shard_of(f"{number}/{count}").of_all(501) for number in range(1, count + 1)) == 1
 
 
 def test_shares_joined_are_the_whole(tmp_path, in_this_process):

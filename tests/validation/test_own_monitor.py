@@ -65,8 +65,8 @@ def test_lofts_of_the_file_change_nothing(iron):
 
 def test_without_the_path_the_start_direction_opens_no_face(iron):
     bare = {name: values for name, values in iron.deliveries.items() if name != "path"}
-    aside = replace(iron, deliveries=bare, launches=iron.launches | {"azimuth": np.full(60, 0.2)})
-    assert verdict(aside).spin_share.middle == pytest.approx(1.0, abs=0.03)
+    azimuths = replace(iron, deliveries=bare, launches=iron.launches | {"azimuth": np.full(60, 0.2)})
+    assert verdict(azimuths).spin_share.middle == pytest.approx(1.0, abs=0.03)
 
 
 def test_the_indices_of_both_camps_follow_from_the_published_tables():

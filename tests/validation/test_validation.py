@@ -211,14 +211,14 @@ def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spr
     spins = judged.strike("7-iron", speed=speed, attack=attack, loft=lofts).total_spin
     power = float(np.diff(np.log(spins))[0] / np.diff(np.log(lofts - attack))[0])
     variance = (spread * DEG / (loft - attack)) ** 2
-    aside = launches.Scatter(spread * DEG, 0.0, 0.0)
-    least, most = launches.ratios("7-iron", speed, attack, launch, aside, launches.CENTRE)["total_spin"]
+    sideways = launches.Scatter(spread * DEG, 0.0, 0.0)
+    least, most = launches.ratios("7-iron", speed, attack, launch, sideways, launches.CENTRE)["total_spin"]
     assert most == 1.0
     # A sixth of the excess for what the head adds.
     expected = power * variance / 2.0 + 3.0 * power * (power - 2.0) * variance**2 / 8.0
     assert 1.0 / least - 1.0 == pytest.approx(expected, rel=0.17)
     # A drive's spin loft is less than two thirds of it, and its square less than half.
-    drive = launches.ratios("driver", speed, attack, launch - 6 * DEG, aside, launches.CENTRE)["total_spin"]
+    drive = launches.ratios("driver", speed, attack, launch - 6 * DEG, sideways, launches.CENTRE)["total_spin"]
     assert 1.0 / drive[0] - 1.0 > 1.5 * (1.0 / least - 1.0)
 
 

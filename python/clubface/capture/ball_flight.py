@@ -14,12 +14,12 @@ REST = 0.25
 SHORTEST = 5
 """Frames in a row that make a resting place."""
 LEAST_SPEED = 1.0
-"""m/s; a ball slower than that lies still."""
+"""Speed below which a ball lies still [m/s]."""
 TIMES_USUAL = 6.0
 """How many times the lower quartile of its steps a ball must move in a frame to have been hit: 6.6 standard deviations
 of Gaussian noise."""
 FREE = 0.6e-3
-"""Seconds after first touch from when on it flies freely; measured impacts last 0.4 to 0.5 ms."""
+"""Time after first touch from which it flies freely [s]; measured impacts last 0.4 to 0.5 ms."""
 LONGEST = 0.03
 """Seconds of flight that are used: drag takes less than 1% of the speed."""
 GRAVITY = 9.80665

@@ -171,7 +171,7 @@ def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
 
 
 def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:
-    """Return the head through the recording, the club where it was found to stand on its markers."""
+    """Return the head through the recording, with the club where it stands on its markers."""
     head, rotation = setup.club, followed.poses.rotation
     arm, turned = inputs.club[:3], rotation @ exponential(inputs.club[3:])
     centre = followed.poses.position + rotation @ arm + turned @ np.array(head.cg)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from clubface.shots.messages import Message
 
 LONGEST = 30 * 86400.0
-"""Seconds that anything is waited for."""
+"""Longest time to wait [s]."""
 MOST_SHOTS = 1_000_000
 SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 """What is printed of a shot."""
@@ -66,12 +66,12 @@ def listen(**texts: Any) -> None:
     kept: list[Message] = []
 
     def keep(message: Message) -> None:
-        """Bring a shot to the disk, so that none is acknowledged that could be lost."""
+        """Write a shot to the disk before it is acknowledged, so that none can be lost."""
         if target is not None:
             recorded([*kept, message], hand=hand).write(target)
         kept.append(message)
 
-    def say_kept() -> str:
+    def print_kept() -> str:
         for note in recorded(kept).notes:
             print_note(f"note: {note}")
         shots = f"{len(kept)} shot{'s' * (len(kept) != 1)}"
@@ -88,8 +88,8 @@ def listen(**texts: Any) -> None:
                 if count is not None and len(kept) >= count:
                     break
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(say_kept()) from None
-    print_note(say_kept())
+            raise KeyboardInterrupt(print_kept()) from None
+    print_note(print_kept())
 
 
 @app.command()

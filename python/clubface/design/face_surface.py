@@ -31,7 +31,7 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import is_silent
 
 CHUNK = 2**16
-"""Points in memory at a time."""
+"""Maximum number of points held in memory."""
 
 
 class Struck(NamedTuple):
@@ -102,7 +102,7 @@ def run_points(
 
 
 def finished(output: str | os.PathLike[str] | None) -> None:
-    """Remove what was kept of the points of a file that is written."""
+    """Remove the store of the points, once the file is written."""
     if output is not None:
         shutil.rmtree(unfinished_folder(Path(output)), ignore_errors=True)
 
@@ -125,7 +125,7 @@ def _with_flights(setup: ImpactSetup, table: Floats) -> Floats:
 
 
 def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]) -> Finished:
-    """Return what keeps the points that are done."""
+    """Return the store of finished points."""
     from clubface.fem.balls import ball
     from clubface.fem.heads.meshed import mesh_of
 
@@ -179,7 +179,7 @@ class Outline(NamedTuple):
         return core.FaceOutline(self.corners.tolist())
 
     def holds(self, toe: ValueLike, high: ValueLike, slack: float = 1e-9) -> NDArray[np.bool_]:
-        """Tell which points [m] are inside or on it."""
+        """Return which points [m] are inside or on it."""
         toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
         return self.in_core().holds(toe.reshape(-1), high.reshape(-1), slack).reshape(toe.shape)
 
@@ -224,7 +224,7 @@ def _of_mesh(club: Any) -> Outline:
 
 
 class Surface:
-    """What is known of a face, of a given outline, beyond the points of a grid.
+    """The quantities on a face, between the points of a grid and beyond them, within an outline.
 
     ``interpolated`` says whether it is interpolated between the points of the grid.
     """

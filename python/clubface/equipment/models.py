@@ -79,7 +79,7 @@ class Model:
     Attributes
     ----------
     name
-        The word that selects it.
+        By which it is selected.
     title
         The name for headings.
     kind
@@ -95,7 +95,7 @@ class Model:
     parameters
         In the order of the core's columns.
     face_in
-        The parameter that tells the restitution, if its default was found with a driver and so includes the driver's
+        The parameter that holds the restitution, if its default was fitted to a driver and so includes the driver's
         face; None if the defaults describe the ball alone.
     lacks
         The outputs that it does not compute.
@@ -165,7 +165,7 @@ def _registered() -> Mapping[str, Model]:
 
 
 def models_with(parameter: str) -> list[str]:
-    """Return the names of the models that have a parameter called so."""
+    """Return the names of the models that have this parameter."""
     return [name for name, each in models().items() if any(parameter == one.name for one in each.parameters)]
 
 

@@ -32,7 +32,7 @@ class Equivalent(NamedTuple):
     model
         Name of the model.
     parameters
-        The two parameters found; the others are the published ones.
+        The two fitted parameters; the others are the published ones.
     time
         Times at which the forces are compared [s].
     force, reference

@@ -185,14 +185,14 @@ def _hand(shots: RecordedShots) -> str:
 
 @cache
 def _head(kind: str, hand: str) -> Club:
-    """Return a built-in club, which the reports of many players need again and again."""
+    """Return a built-in club, kept for the reports of many players."""
     head = club_named(kind)
     return head.replace(hand="left") if hand == "left" else head
 
 
 @cache
 def _inference(kind: str, hand: str, speed_at: str, face_at: str) -> Inference:
-    """Return what the deliveries of all players with such a club are inferred with."""
+    """Return the inference that all players with such a club share."""
     head = _head(kind, hand)
     return Inference(club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=speed_at, face_at=face_at)
 
@@ -253,7 +253,7 @@ def _changes(
 
 
 def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
-    """Return carry and side of launches in still air at sea level; NaN where a value lacks."""
+    """Return carry and side of launches in still air at sea level; NaN where a value is missing."""
     known = np.all([np.isfinite(values) for values in launch.values()], axis=0)
     result = {name: np.full(known.shape, np.nan) for name in ("carry", "side")}
     if known.any():

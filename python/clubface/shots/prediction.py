@@ -245,7 +245,7 @@ def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
 
 
 def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
-    """Yield the files of the chunks that have one, each when it is found to be what was written."""
+    """Yield the files of the chunks that have one, each once it is checked to be what was written."""
     for name in names:
         if place < len(store[name]["sums"]):
             result = _pieces(store, name, ending)

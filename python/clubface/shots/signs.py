@@ -23,7 +23,7 @@ from clubface.units import to_si
 CLEARLY = 4.0
 """Standard errors by which a slope must have the wrong sign: chance does so for one column in 30,000."""
 FEWEST = 8
-"""Shots more than there are slopes, below which standard errors are guesses."""
+"""Fewest shots beyond the number of slopes; with fewer, standard errors are guesses."""
 UPWARDS = to_si(2.5, "deg")
 """Median attack angle above which no iron is hit: tours hit theirs down, by 2 to 5 deg on the average."""
 FEWEST_IRONS = 5
@@ -49,7 +49,7 @@ RULES = (
     SignRule("azimuth", {"face": 1, "path": 1, "toe": 0}, ("face",)),
     SignRule("spin_axis", {"face": 1, "path": -1, "toe": -1}, ("face", "path")),
 )
-"""The launch angle lies between attack angle and loft, and the azimuth between path and face. Spin comes of the angle
+"""The launch angle lies between attack angle and loft, and the azimuth between path and face. Spin comes from the angle
 between club path and face, and a hit towards the toe makes the ball curve towards the heel's side (gear effect)."""
 
 
@@ -70,7 +70,7 @@ def suspected_signs(shots: RecordedShots) -> tuple[Note, ...]:
 
 
 def _disagreeing(shots: RecordedShots, clubs: NDArray[np.str_] | None, rule: SignRule) -> dict[str, list[str]]:
-    """Return the columns that run against a rule, each with those that say so."""
+    """Return the columns that contradict a rule, each with the columns that show it."""
     values = {
         name: each
         for name in (rule.launch, *rule.signs)
@@ -122,7 +122,7 @@ def _for_a_right_hander(shots: RecordedShots, name: str) -> NDArray[np.float64] 
 
 
 def _upward_irons(shots: RecordedShots, clubs: NDArray[np.str_] | None) -> list[Note]:
-    """Return a note if irons and wedges are said to be hit upwards."""
+    """Return a note if the file has irons and wedges hit upwards."""
     if clubs is None or "attack" not in shots.deliveries:
         return []
     attack = shots.deliveries["attack"][[each.endswith(("-iron", "-wedge")) for each in clubs]]

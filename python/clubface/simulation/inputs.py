@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from clubface import units
 from clubface.equipment.balls import Ball, ball
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
     from clubface.simulation.pose import Head, Pose
     from clubface.support.arrays import ValueLike
+else:  # the same for readers of the documentation, without waiting for numpy
+    ValueLike = float | str | Sequence[float] | Sequence[str]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -208,9 +210,9 @@ class Delivery:
         return pose_of_delivery(np, values, place, head, offset)
 
 
-DeliveryLike: TypeAlias = "Delivery | Mapping[str, ValueLike | None]"
+DeliveryLike = Delivery | Mapping[str, ValueLike | None]
 """A delivery, or its values by name."""
-HandLike: TypeAlias = "ValueLike"
+HandLike = ValueLike
 """The hand of a club: "right" or 1, "left" or -1, or an array of these numbers."""
 
 

@@ -22,7 +22,7 @@ MOST_KEPT = 8
 
 
 class Cancelled(BaseException):
-    """The person wants no more of it."""
+    """The computation was cancelled."""
 
 
 class StudioJob:
@@ -53,7 +53,7 @@ class StudioJob:
         threading.Thread(target=context.run, args=(self._run, compute), name="studio-job", daemon=True).start()
 
     def progress(self, done: int, whole: int, step: str = "") -> None:
-        """Take note of what is done; raises :class:`Cancelled` where no more is wanted."""
+        """Record the progress; raises :class:`Cancelled` if the job was cancelled."""
         if self._asked_to_stop.is_set():
             raise Cancelled
         self._done, self._step = (done, whole), step

@@ -21,13 +21,13 @@ from clubface.validation.benchmark_data import recipe
 pytest.importorskip("pyarrow")
 
 DOCS = Path(__file__).parents[3] / "docs"
-FOUND = json.loads((DOCS / "findings.json").read_text(encoding="utf-8"))
+FINDINGS = json.loads((DOCS / "findings.json").read_text(encoding="utf-8"))
 NUMBER = re.compile(r"(?<![\w.])(-?\d+(\.\d+)?)(?![\d]|\.\d)(?: ?(°|%|rpm|mm|µs|s/m|GN/m³|N m s/rad|degrees)(?!\w))?")
 RPM, DEG = math.pi / 30, math.pi / 180
 
 
 def parameters(club, model):
-    return findings._parameters(club, model, FOUND["clubs"][club]["fits"][model])
+    return findings._parameters(club, model, FINDINGS["clubs"][club]["fits"][model])
 
 
 def sections():
@@ -70,8 +70,8 @@ def _in_order(sentence, figures, slack):
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
 def test_the_identified_parameters_have_the_errors_stored(club):
-    shots, result = benchmark_data.load(club), FOUND["clubs"][club]
-    for model in FOUND["models"]:
+    shots, result = benchmark_data.load(club), FINDINGS["clubs"][club]
+    for model in FINDINGS["models"]:
         launch = clubface.impact(
             shots.head,
             shots.measured.deliveries,
@@ -96,13 +96,13 @@ def test_no_identification_is_worse_than_the_published_set():
         shots = benchmark_data.load(club)
         for model in ("standard", "adjusted", "slip", "volumetric", "area"):
             before = clubface.evaluate(shots.measured, models=model, resamples=100).cost(model)
-            assert FOUND["clubs"][club]["errors"]["cost"][model] < before
+            assert FINDINGS["clubs"][club]["errors"]["cost"][model] < before
 
 
 @pytest.mark.parametrize("club", benchmark_data.CLUBS)
 def test_models_on_their_own_shots_have_the_cost_stored_and_the_true_values_of_the_recipe(club):
     shots, recipe_used = benchmark_data.load(club), recipe(club)
-    for model, result in FOUND["clubs"][club]["own"].items():
+    for model, result in FINDINGS["clubs"][club]["own"].items():
         own = np.flatnonzero(shots.model == model)
         assert result["shots"] == len(own)
         delivery = {name: values[own] for name, values in shots.measured.deliveries.items()}
@@ -120,12 +120,12 @@ def test_the_error_budget_is_that_of_the_parameters_stored():
     for club, model in (("driver", "adjusted"), ("7-iron", "volumetric")):
         budget = error_budget(benchmark_data.load(club), parameters(club, model))
         for source, each in budget.items():
-            assert FOUND["clubs"][club]["budget"][model][source] == pytest.approx(each, rel=1e-4)
+            assert FINDINGS["clubs"][club]["budget"][model][source] == pytest.approx(each, rel=1e-4)
 
 
 @pytest.mark.parametrize("model", list(findings.FREE))
 def test_one_set_for_all_clubs_has_the_errors_stored(model):
-    result = FOUND["tour"][model]
+    result = FINDINGS["tour"][model]
     shared = ParameterSet(model=model, club="any", name="x", values=result["parameters"])
     errors, lofts = findings.Bag(tour.averages(findings.SEASON)).errors(shared)
     # Parameters of nine digits; the errors are differences of numbers a hundred times larger. In a contact model the
@@ -140,22 +140,22 @@ def test_one_set_for_all_clubs_has_the_errors_stored(model):
 
 def test_the_sentences_on_one_set_for_all_clubs_are_those_of_the_fits():
     def mean(model, kind, name):
-        return np.mean(np.abs(FOUND["tour"][model][kind][name]))
+        return np.mean(np.abs(FINDINGS["tour"][model][kind][name]))
 
     for name in ("ball_speed", "spin"):
         for kind in ("errors", "left_out"):
-            assert min(FOUND["tour"], key=lambda model: mean(model, kind, name)) == "rings"
+            assert min(FINDINGS["tour"], key=lambda model: mean(model, kind, name)) == "rings"
         assert mean("rings", "left_out", name) < 1.2 * mean("rings", "errors", name)
-    errors = FOUND["tour"]["rings"]["errors"]
+    errors = FINDINGS["tour"]["rings"]["errors"]
     # To the nearest ten.
     assert stated("One set for all clubs", (np.abs(errors["spin"]).max() / RPM, "rpm"), slack=5)
-    speeds = dict(zip(FOUND["tour"]["rings"]["clubs"], errors["ball_speed"], strict=True))
+    speeds = dict(zip(FINDINGS["tour"]["rings"]["clubs"], errors["ball_speed"], strict=True))
     assert sorted(speeds, key=lambda club: abs(speeds[club]))[-2:] == ["driver", "pitching-wedge"]
     assert speeds["driver"] < 0.0 < speeds["5-iron"]
 
 
 def test_the_sentences_on_azimuth_and_sidespin_are_those_of_the_budget():
-    budget = FOUND["clubs"]["driver"]["budget"]["adjusted"]
+    budget = FINDINGS["clubs"]["driver"]["budget"]["adjusted"]
 
     def figures(source):
         return (budget[source]["azimuth"] / DEG, "°"), (budget[source]["sidespin"] / RPM, "rpm")
@@ -182,7 +182,7 @@ def test_the_sentences_on_bias_are_those_of_the_published_figures():
 
 
 def test_the_sentences_on_hold_out_are_those_of_the_costs():
-    iron = FOUND["clubs"]["7-iron"]
+    iron = FINDINGS["clubs"]["7-iron"]
     for model, loss in (("volumetric", 0.01), ("adjusted", 0.005)):
         fit = iron["fits"][model]
         assert fit["cost_holdout"] / fit["cost"] - 1 == pytest.approx(loss, abs=0.003)
@@ -194,10 +194,10 @@ def test_the_sentences_on_hold_out_are_those_of_the_costs():
 
 
 def test_the_order_of_the_models_is_the_one_stated():
-    for result in FOUND["clubs"].values():
+    for result in FINDINGS["clubs"].values():
         costs = result["errors"]["cost"]
         assert min(costs, key=lambda name: costs[name]) == "adjusted"
-    costs = FOUND["clubs"]["driver"]["errors"]["cost"]
+    costs = FINDINGS["clubs"]["driver"]["errors"]["cost"]
     given = {
         model: sum(each.mae[name] / each.mean[name] for name in QUANTITIES)
         for (model, club), each in published().items()
@@ -210,7 +210,7 @@ def test_the_order_of_the_models_is_the_one_stated():
 
 
 def test_the_sentences_on_impulse_models_are_those_of_the_fits():
-    driver = FOUND["clubs"]["driver"]
+    driver = FINDINGS["clubs"]["driver"]
     slope = recipe("driver").restitution_slope
     assert stated("Impulse models", (slope, "s/m"))
     # Half a unit of the last digit with which the page states it.
@@ -229,7 +229,7 @@ def test_the_sentences_on_impulse_models_are_those_of_the_fits():
 def test_the_true_values_are_held_as_often_as_stated():
     held = [
         low <= own["true"][name] <= high
-        for result in FOUND["clubs"].values()
+        for result in FINDINGS["clubs"].values()
         for own in result["own"].values()
         for name, (low, high) in own["intervals"].items()
     ]
@@ -238,7 +238,7 @@ def test_the_true_values_are_held_as_often_as_stated():
 
 
 def test_what_cannot_be_known_is_what_the_identification_says():
-    clubs, unit = FOUND["clubs"], 1e9
+    clubs, unit = FINDINGS["clubs"], 1e9
     drives, irons = ([*clubs[club]["own"]["volumetric"]["intervals"]["stiffness"]] for club in benchmark_data.CLUBS)
     assert stated("Contact models", (drives[0] / unit, ""), (drives[1] / unit, "GN/m³"))
     assert stated("Contact models", *((each / unit, "") for each in irons))

@@ -233,7 +233,7 @@ def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
     value, allowed = worst.describe(state)
     return InputError(
         worst.name,
-        Wording(f"{value} in the nearest club that was found"),
+        Wording(f"{value} in the nearest club"),
         f"{allowed}, and no start reached a club that keeps all limits",
     )
 

@@ -26,8 +26,8 @@ ANGLE = math.radians(1.0)
 AT = 0.02
 """The radii may differ by as much as turns the normal by that angle at this distance from the face centre [m]."""
 REACHES = (0.008, 0.01, 0.0125, 0.016, 0.02)
-"""Radii about the face centre [m]: looked at is the first that holds enough nodes, as a face turns into crown and sole
-near its edge."""
+"""Radii about the face centre [m], of which the first with enough nodes is used: near its edge a face turns into crown
+and sole."""
 ENOUGH = 9
 """Nodes for a quadric, which has six coefficients."""
 OFF_CENTRE = 0.25
@@ -119,7 +119,7 @@ def check_frame(
     centre: str,
     parts: Mapping[str, NDArray[Any]],
 ) -> None:
-    """Refuse a mesh that lies otherwise than its head's file says.
+    """Refuse a mesh whose position disagrees with its head's file.
 
     Parameters
     ----------

@@ -286,7 +286,7 @@ class MeshHead:
         groups: Sequence[NDArray[Any]],
         masses: Mapping[str, Place],
     ) -> None:
-        """Refuse a face centre that is not on the face, and a mesh that lies otherwise than this says.
+        """Refuse a face centre that is not on the face, and a mesh whose position disagrees with this.
 
         ``sides`` are the elements of the face, ``wall`` [m] how thick it is about them, and ``groups`` the nodes of the
         groups.

@@ -90,7 +90,7 @@ class CsvReader:
             passed += count
 
     def progress(self) -> float:
-        """Return which part of the file has been read, 0 to 1."""
+        """Return the share of the file that has been read, 0 to 1."""
         return self._rows.progress()
 
     @property
