@@ -51,6 +51,27 @@ LEFT_OUT = {"all", "cli", "dev", "studio", "torch"}
 """Extras that bring nothing of their own or have a check of their own, and PyTorch with its gigabytes."""
 PARTS = ("_core", "export/native/", "py.typed", "studio_site/index.html", "studio_site/assets/clubface-fem")
 """What a wheel has besides Python."""
+LIBRARIES = r"""
+import io, json, sys, zipfile
+from macholib.mach_o import LC_BUILD_VERSION, LC_ID_DYLIB, LC_VERSION_MIN_MACOSX
+from macholib.MachO import MachO
+
+wheel, result = zipfile.ZipFile(sys.argv[1]), []
+for name in wheel.namelist():
+    if name.endswith((".so", ".dylib")):
+        path = wheel.extract(name)
+        for header in MachO(path).headers:
+            oldest, names = [0, 0], [each for _, _, each in header.walkRelocatables()]
+            for load, command, data in header.commands:
+                if load.cmd in (LC_BUILD_VERSION, LC_VERSION_MIN_MACOSX):
+                    version = int(command.minos if load.cmd == LC_BUILD_VERSION else command.version)
+                    oldest = [version >> 16, version >> 8 & 255]
+                elif load.cmd == LC_ID_DYLIB:
+                    names.append(data.rstrip(b"\0").decode())
+            result.append((name, oldest, names))
+print(json.dumps(result))
+"""
+"""Prints, of each library of a wheel for macOS, its name, the oldest system, and what it names: itself and others."""
 VARIABLES = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
 """Those of the environment without what would let another package through."""
 
@@ -118,7 +139,21 @@ def check_symbols(wheel: Path, folder: Path) -> str:
         if "-linux_" not in wheel.name and tag not in wheel.name:  # what pip built promises nothing
             raise RuntimeError(f"it keeps to {tag}; libraries of the system: {audit['external_libs']}")
         result += tag
+    if "macosx" in wheel.name:
+        tools.install("macholib")
+        result += check_libraries(json.loads(tools.run("python", "-c", LIBRARIES, str(wheel))), wheel.name)
     return " ".join(result.split())[:300]
+
+
+def check_libraries(libraries: list[tuple[str, list[int], list[str]]], wheel: str) -> str:
+    """Check that the libraries of a wheel for macOS start on the systems that its name promises, wherever they lie."""
+    promised = [int(each) for each in re.findall(r"macosx_(\d+)_(\d+)", wheel)[0]]
+    for library, oldest, names in libraries:
+        if oldest > promised:
+            raise RuntimeError(f"{library} asks for macOS {'.'.join(map(str, oldest))}")
+        if strange := [each for each in names if not each.startswith(("@rpath/", "/usr/lib/", "/System/"))]:
+            raise RuntimeError(f"{library} names {', '.join(strange)}, which other machines lack")
+    return f"{len(libraries)} libraries, from macOS {'.'.join(map(str, max(each[1] for each in libraries)))}"
 
 
 def check_alone(wheel: Path, folder: Path) -> str:

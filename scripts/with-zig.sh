@@ -8,7 +8,11 @@ case "$target" in
 *-linux-gnu) zig=${target%%-*}-linux-gnu.2.17 ;; # the glibc of manylinux2014
 *-linux-musl) zig=${target%%-*}-linux-musl ;;
 *-windows-gnu) zig=${target%%-*}-windows-gnu ;;
-*-apple-darwin) zig=${target%%-*}-macos-none ;;
+*-apple-darwin)
+    # The oldest system that the name of the wheel promises; zig by itself asks for a newer one.
+    export MACOSX_DEPLOYMENT_TARGET=${MACOSX_DEPLOYMENT_TARGET:-11.0}
+    zig=${target%%-*}-macos.$MACOSX_DEPLOYMENT_TARGET-none
+    ;;
 *) echo "with-zig.sh: $target is not a target that zig links here" >&2 && exit 1 ;;
 esac
 name=CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER
