@@ -41,7 +41,7 @@ impl Tables {
     #[must_use]
     pub fn all() -> Self {
         Self {
-            quantities: &QUANTITIES,
+            quantities: QUANTITIES,
             units: UNITS,
             dimensions: DIMENSIONS,
             models: registry::ALL.iter().map(|model| model.info()).collect(),

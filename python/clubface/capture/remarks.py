@@ -14,7 +14,6 @@ from clubface.capture.calibration import Registration
 from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError
-from clubface.quantities import register_quantity
 from clubface.results.notes import Note, note
 from clubface.support.checks import without_warnings
 
@@ -47,9 +46,6 @@ MOVED = 2e-3
 FEW_FREEDOMS = 30
 ROUNDED = 1e-6
 """Metres; residuals below it are the rounding of a file in single precision, and no noise."""
-register_quantity(
-    "marker_displacement", "m", golf=("mm", 1), meaning="how far a marker sits from its place on the head"
-)
 
 
 def implausible(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[Note]:

@@ -8,7 +8,6 @@ from typing import Any
 from clubface.equipment.rules import RuleVerdict, rules, rules_of
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.stress import BlowStress, stress_picture
-from clubface.quantities import register_quantity
 from clubface.results.notes import Note, note
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
@@ -16,9 +15,6 @@ from clubface.results.table import Column, Table, column, text
 
 __all__ = ["head_result"]
 
-register_quantity("cg_above", "m", golf=("mm", 2), label="CG above face normal",
-                  meaning="distance of the CG above the face normal through the face centre")  # fmt: skip
-register_quantity("forward", "m", golf=("mm", 1), label="forward", meaning="distance towards the target")
 OVER_MESHES = {"mesh_restitution": 0.002, "mesh_characteristic_time": 24e-6}
 """Largest differences of the simulated tests between meshes of one driver: restitution, and time [s]. They are those of
 the table of triangles and quadrilaterals in docs/finite-elements/heads.md, which a test compares with them."""

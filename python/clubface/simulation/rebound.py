@@ -12,7 +12,6 @@ from typing import NamedTuple
 from clubface.equipment.clubs import Club
 from clubface.equipment.listings import model_result
 from clubface.equipment.models import models
-from clubface.quantities import register_quantity
 from clubface.results.notes import note
 from clubface.results.result import Result
 from clubface.results.table import Table, column, table
@@ -21,12 +20,6 @@ from clubface.support.checks import without_warnings
 
 __all__ = ["Rebound", "model_in_full", "rebound", "rebound_tables"]
 
-register_quantity("incidence", "rad", golf=("deg", 0), label="angle from normal",
-                  meaning="between the path of the ball, as the face sees it, and the face normal")  # fmt: skip
-register_quantity("tangential_restitution", label="tangential restitution",
-                  meaning="of the ball's surface where it touches: 0 rolls, -1 slides without friction")  # fmt: skip
-register_quantity("friction_lever", label="lever of friction",
-                  meaning="angular momentum over that which the change along the face has at one radius")  # fmt: skip
 
 SPEED = 40.0
 """Speed of the heads for which angles are compared [m/s]."""

@@ -17,12 +17,9 @@ const fn entry(
     Quantity::new(name, symbol, dimension, label, meaning)
 }
 
-/// Number of quantities.
-const COUNT: usize = 198;
-
 /// All quantities: one table, which others point into.
 #[rustfmt::skip]
-pub static QUANTITIES: [Quantity; COUNT] = [
+pub static QUANTITIES: &[Quantity] = &[
     // Delivery.
     entry("speed", "v_c", SPEED, "club speed", "speed of the clubhead CG")
         .synonyms(&["club_speed", "clubhead_speed", "club_head_speed", "head_speed", "clubspeed", "swing_speed",
@@ -416,4 +413,17 @@ pub static QUANTITIES: [Quantity; COUNT] = [
     entry("longest_high", "y_l", LENGTH, "height of the longest carry", "where up the face the carry is greatest")
         .read("mm", 1).sign("above the face centre is positive").sides("low", "high"),
     entry("longest_carry", "x_l", LENGTH, "longest carry", "greatest carry over the face").in_yards(),
+    entry("cg_above", "", LENGTH, "CG above face normal",
+        "distance of the CG above the face normal through the face centre").read("mm", 2),
+    entry("forward", "", LENGTH, "forward", "distance towards the target").read("mm", 1),
+    // How a ball rebounds from a plane.
+    entry("incidence", "", ANGLE, "angle from normal",
+        "between the path of the ball, as the face sees it, and the face normal").read("deg", 0),
+    entry("tangential_restitution", "", DIMENSIONLESS, "tangential restitution",
+        "of the ball's surface where it touches: 0 rolls, -1 slides without friction"),
+    entry("friction_lever", "", DIMENSIONLESS, "lever of friction",
+        "angular momentum over that which the change along the face has at one radius"),
+    // Motion capture.
+    entry("marker_displacement", "", LENGTH, "marker displacement",
+        "how far a marker sits from its place on the head").read("mm", 1),
 ];

@@ -13,7 +13,7 @@ use std::collections::{HashMap, HashSet};
 
 #[test]
 fn every_quantity_is_complete_and_is_read_in_units_of_its_dimension() {
-    for each in &QUANTITIES {
+    for each in QUANTITIES {
         let si = unit(each.unit).unwrap_or_else(|| panic!("{}: unit {}", each.name, each.unit));
         assert!(si.numerator == si.denominator && si.offset == 0.0, "{}: {} is not SI", each.name, each.unit);
         for reading in [each.metric, each.golf] {
@@ -36,7 +36,7 @@ fn a_name_means_one_quantity_and_a_synonym_one_column() {
     assert!(QUANTITIES.iter().all(|each| names.insert(each.name)), "a name is there twice");
     let columns = INPUTS.iter().map(|input| input.quantity).chain(OUTPUTS).chain(flight::OUTPUTS);
     let mut known: HashMap<_, _> = columns.map(|column| (column.name, column.name)).collect();
-    for each in &QUANTITIES {
+    for each in QUANTITIES {
         for synonym in each.synonyms {
             assert_eq!(
                 known.insert(synonym, each.name),
