@@ -28,23 +28,13 @@ DEFAULT = 3
 
 
 class ErrorBounds(NamedTuple):
-    """Differences from the reference case on the default mesh, as fractions.
+    """Differences of ball speed and backspin from the reference case on the default mesh, as fractions."""
 
-    Attributes
-    ----------
-    speed_over_meshes, spin_over_meshes
-        Changes of ball speed and backspin from the default mesh to the finest one.
-    speed_over_solvers, spin_over_solvers
-        Their largest differences from an independent solver.
-    elements
-        Number of elements of the finest mesh.
-    """
-
-    speed_over_meshes: float
+    speed_over_meshes: float  # from the default mesh to the finest one
     spin_over_meshes: float
-    speed_over_solvers: float
+    speed_over_solvers: float  # the largest from an independent solver
     spin_over_solvers: float
-    elements: int
+    elements: int  # of the finest mesh
 
 
 def meshes(ball: Ball, thirds: Sequence[int]) -> list[Ball]:

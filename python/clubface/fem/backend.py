@@ -14,7 +14,6 @@ from clubface.errors import InputError
 from clubface.fem.accuracy import error_note
 from clubface.fem.balls import ball
 from clubface.fem.heads.meshed import mesh_of
-from clubface.fem.result import Impact
 from clubface.fem.run import FRICTION, face_of, simulate, strike
 from clubface.fem.settings import Settings
 from clubface.results.notes import Note
@@ -76,7 +75,10 @@ class FiniteElements:
         """Run the shot again and keep its forces on the ball [s, N]."""
         made, _ = self.balls(launch.ball, None)
         friction = launch.parameters.values["friction"]
-        return force_history(strike(launch.club, delivery, ball=made, friction=friction, settings=HOW))
+        run = strike(launch.club, delivery, ball=made, friction=friction, settings=HOW)
+        touching = run.contact["time"] <= run.last_touch
+        time, normal, tangential, toe = (run.contact[key][touching] for key in ("time", "normal", "tangential", "toe"))
+        return {"time": time, "normal_force": normal, "force_y": -tangential, "force_z": toe}
 
     def notes(self) -> Sequence[Note]:
         """Return what bounds the error of every launch."""
@@ -84,15 +86,6 @@ class FiniteElements:
 
 
 BACKEND = FiniteElements()
-
-
-def force_history(impact: Impact) -> dict[str, NDArray[Any]]:
-    """Return the forces on the ball under the names of :class:`clubface.History` [s, N]."""
-    contact = impact.contact
-    touching = contact["time"] <= impact.last_touch
-    named = {"time": contact["time"], "normal_force": contact["normal"],
-             "force_y": -contact["tangential"], "force_z": contact["toe"]}  # fmt: skip
-    return {name: values[touching] for name, values in named.items()}
 
 
 def _at(value: Any, row: int) -> float:

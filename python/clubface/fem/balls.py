@@ -93,17 +93,12 @@ def _made_piece(values: dict[str, Any], place: Place) -> Piece:
 def _piece_keys() -> Mapping[str, Value]:
     """Return the keys of [[pieces]]."""
     constants = {name: each for law in builtin_laws().values() for name, each in law.constants.items()}
-    own = {
-        "name": NAME,
-        "layers": LAYERS,
-        "thickness": THICKNESS,
-        "law": Choice(lambda: tuple(laws())),
-        "youngs": PhysicalValue("MPa"),
-        "energy": TEXT,
-        "volumetric": TEXT,
-    }
-    more = {"poisson": PhysicalValue("1"), "density": PhysicalValue("kg/m3"), "maxwell": Tables(Table(Maxwell))}
-    return own | more | {name: PhysicalValue(units.SI_UNITS[each]) for name, each in sorted(constants.items())}
+    return {
+        "name": NAME, "layers": LAYERS, "thickness": THICKNESS, "law": Choice(lambda: tuple(laws())),
+        "youngs": PhysicalValue("MPa"), "energy": TEXT, "volumetric": TEXT, "poisson": PhysicalValue("1"),
+        "density": PhysicalValue("kg/m3"), "maxwell": Tables(Table(Maxwell)),
+        **{name: PhysicalValue(units.SI_UNITS[each]) for name, each in sorted(constants.items())},
+    }  # fmt: skip
 
 
 @dataclass(repr=False, eq=False)
@@ -148,7 +143,6 @@ PIECE = PieceRecord(_piece_keys, ("name", "layers", "poisson"), make=_made_piece
 
 FRICTION = 0.35
 """Friction of a ball whose file gives none; measurements are 0.3 to 0.4."""
-MODEL_NAME = "fem"
 MAX_PIECES = 5
 ELEMENTS = ("one-point", "full")
 
@@ -188,25 +182,17 @@ class Ball(Described):
             raise InputError("pieces", len(self.pieces), f"1 to {MAX_PIECES}")
         core, *around = self.pieces
         if core.thickness is not None:
-            raise InputError(
-                "thickness of the core",
-                units.show(core.thickness, "mm"),
-                "leave it out: the core fills what the other pieces leave",
-            )
+            allowed = "leave it out: the core fills what the other pieces leave"
+            raise InputError("thickness of the core", units.show(core.thickness, "mm"), allowed)
         if core.material.density is None and self.mass is None:
             raise InputError("mass", None, "give it, or the density of the core")
         for piece in around:
             if piece.thickness is None or piece.material.density is None:
                 missing = "thickness" if piece.thickness is None else "density"
                 raise InputError(f"{missing} of {piece.name}", None, "give it; only the core may do without")
-        self._check_core()
-
-    def _check_core(self) -> None:
-        """Refuse a core that the layers leave no room or no mass."""
-        radii = self.radii()
+        volumes = [4.0 / 3.0 * math.pi * radius**3 for radius in self.radii()]
         if self.mass is None:
             return
-        volumes = [4.0 / 3.0 * math.pi * radius**3 for radius in radii]
         around = sum(
             (piece.material.density or 0.0) * (outer - inner)
             for piece, inner, outer in zip(self.pieces[1:], volumes, volumes[1:], strict=False)
@@ -258,21 +244,16 @@ class Ball(Described):
 
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
-        pieces = [
-            {
-                "name": piece.name,
-                "radius": radius,
-                "layers": piece.layers,
-                "law": piece.material.law,
-                "constants": list(piece.material.constants.values()),
-                **({} if piece.material.energy is None else {"energy": piece.material.energy}),
-                **({} if piece.material.volumetric is None else {"volumetric": piece.material.volumetric}),
-                "bulk": piece.material.bulk,
-                "maxwell": [(branch.modulus, branch.time) for branch in piece.material.maxwell],
-                "density": piece.material.density or 0.0,
-            }
-            for piece, radius in zip(self.pieces, self.radii(), strict=True)
-        ]
+        pieces = []
+        for piece, radius in zip(self.pieces, self.radii(), strict=True):
+            made = piece.material
+            own = {"energy": made.energy, "volumetric": made.volumetric}
+            pieces.append({
+                "name": piece.name, "radius": radius, "layers": piece.layers, "law": made.law,
+                "constants": list(made.constants.values()),
+                **{key: text for key, text in own.items() if text is not None}, "bulk": made.bulk,
+                "maxwell": [(branch.modulus, branch.time) for branch in made.maxwell], "density": made.density or 0.0,
+            })  # fmt: skip
         return {"pieces": pieces, "cube": self.cube, "element": self.element, "mass": self.mass}
 
     @cached_property
@@ -281,14 +262,9 @@ class Ball(Described):
         meshed = self.properties()
         with without_warnings():
             return RigidBall(
-                name=self.name,
-                mass=meshed["mass"],
-                radius=meshed["radius"],
-                inertia=meshed["inertia"],
-                friction=self.friction,
-                parameters={MODEL_NAME: {"friction": self.friction}},
-                construction=self,
-            )
+                name=self.name, mass=meshed["mass"], radius=meshed["radius"], inertia=meshed["inertia"],
+                friction=self.friction, parameters={"fem": {"friction": self.friction}}, construction=self,
+            )  # fmt: skip
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
@@ -296,9 +272,9 @@ class Ball(Described):
         return from_document(Document.read(path))
 
 
-def friction_value(value: Any) -> float:
-    """Return a coefficient of friction, checked."""
-    return COVER_FRICTION.read(value, Place(name="friction"))
+def friction_of(given: Any, ball: Ball) -> float:
+    """Return the coefficient of friction that was given, checked, or that of the ball."""
+    return ball.friction if given is None else COVER_FRICTION.read(given, Place(name="friction"))
 
 
 def ball_names() -> tuple[str, ...]:
@@ -341,10 +317,8 @@ def _of_rigid(given: RigidBall) -> Ball:
 
 
 def _no_pieces(name: object) -> InputError:
-    names = ", ".join(ball_names())
-    return InputError(
-        "ball", name, f"one that is described by its pieces, for fem: {names}; or leave fem out of the models"
-    )
+    allowed = f"one that is described by its pieces, for fem: {', '.join(ball_names())}; or leave fem out of the models"
+    return InputError("ball", name, allowed)
 
 
 # The inertia here is that of the pieces; the other keys are of the other models.

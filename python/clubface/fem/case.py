@@ -10,11 +10,11 @@ from typing import Any
 from clubface.equipment.balls import COVER_FRICTION
 from clubface.equipment.clubs import Club, club
 from clubface.errors import InputError, RangeWarning
-from clubface.fem.balls import Ball, ball
+from clubface.fem.balls import Ball, ball, friction_of
 from clubface.fem.core import Progress
 from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
-from clubface.fem.run import friction_of, strike, throw, throw_values
+from clubface.fem.run import strike, throw, throw_values
 from clubface.fem.settings import Settings
 from clubface.schema.document import Document
 from clubface.schema.place import Place
@@ -31,6 +31,7 @@ FOLDER = "fem_cases"
 PLANE, RIGID, MESHED = "plane", "rigid", "meshed"
 HEADS = (PLANE, RIGID, MESHED)
 PLANE_KEYS = ("speed", "angle")
+DELIVERED = DELIVERY_QUANTITIES | {"angle": PhysicalValue("deg")}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -163,10 +164,7 @@ class CaseFile:
         _HEAD, 'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one'
     )
     delivery: Mapping[str, Any] = file_key(
-        Record(
-            {key: Unread(each) for key, each in (DELIVERY_QUANTITIES | {"angle": PhysicalValue("deg")}).items()},
-            ("speed",),
-        ),
+        Record({key: Unread(each) for key, each in DELIVERED.items()}, ("speed",)),
         "delivery of the head; for a plane `speed` and `angle` of the ball",
     )
     run: Settings = file_key(Table(Settings), "how to run the case", default_factory=Settings)

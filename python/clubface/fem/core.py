@@ -29,7 +29,7 @@ from clubface._core import (
     fem_volumetric as fem_volumetric,
     fem_yield_stress as fem_yield_stress,
 )
-from clubface.errors import InputError, ShotError
+from clubface.errors import ShotError
 
 T = TypeVar("T")
 
@@ -79,15 +79,11 @@ def in_thread(function: Callable[..., Any], *arguments: Any) -> Any:
 
 @contextmanager
 def translated_errors() -> Iterator[None]:
-    """Turn an error of the core about an input, ``ValueError(name, value, allowed)``, into an :class:`InputError`."""
+    """Turn an error of the core about an input, ``ValueError(name, value, allowed)``, into a :class:`ShotError`."""
     try:
         yield
     except ValueError as error:
         if len(error.args) != 3:
             raise
-        raise core_error(*error.args) from None
-
-
-def core_error(name: str, value: str, allowed: str) -> InputError:
-    """Return the error for an input's name, its value and what is allowed; name and value may be empty."""
-    return ShotError(name or THE_RUN, value or None, f"{value}; {allowed}" if value else allowed)
+        name, value, allowed = error.args  # name and value may be empty
+        raise ShotError(name or THE_RUN, value or None, f"{value}; {allowed}" if value else allowed) from None

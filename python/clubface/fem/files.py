@@ -16,6 +16,7 @@ from clubface.support.files import whole_file, write_text
 
 __all__ = ["file_stem", "write_series"]
 
+COLLECTION = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
 PARAVIEW = [0, 1, 2, 3, 5, 4]
 """Places of xx, yy, zz, xy, yz, xz among ours."""
 
@@ -77,7 +78,12 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
             grid = meshlane.Mesh(shapes[0], cells, point_data=moved, cell_data=data)
             meshlane.write(file.name, grid, file_format="vtu")
         written.append(path)
-    return [*written, _collection(target / f"{stem}.pvd", impact.frame_times.tolist(), written)]
+    entries = "".join(
+        f'    <DataSet timestep="{time!r}" part="0" file={quoteattr(file.name)}/>\n'
+        for time, file in zip(impact.frame_times.tolist(), written, strict=True)
+    )
+    collection = f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n"
+    return [*written, write_text(target / f"{stem}.pvd", f"{COLLECTION}{collection}")]
 
 
 def _cells(head: MeshedHead) -> list[tuple[str, Any, Any, Any]]:
@@ -116,15 +122,3 @@ def file_stem(name: str) -> str:
     """Return ``name`` with what a file name cannot hold replaced by a hyphen."""
     kept = "".join(letter if letter.isalnum() or letter in "-_ ." else "-" for letter in name).strip(" .")
     return kept[:100] or "case"
-
-
-def _collection(path: Path, times: list[float], files: list[Path]) -> Path:
-    entries = "".join(
-        f'    <DataSet timestep="{time!r}" part="0" file={quoteattr(file.name)}/>\n'
-        for time, file in zip(times, files, strict=True)
-    )
-    return write_text(
-        path,
-        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
-        f"  <Collection>\n{entries}  </Collection>\n</VTKFile>\n",
-    )

@@ -7,11 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "EDGES", "HEXAHEDRON_SIDES", "TETRAHEDRON_SIDES", "area_vectors", "element_masses", "hexahedron_volumes",
-    "outer_sides", "outer_triangles", "sums_at_nodes", "tetrahedron_volumes", "triangles", "unshared_sides",
-]  # fmt: skip
-
 HEXAHEDRON_SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners of the sides of a hexahedron, counterclockwise as seen from outside; its own go round the bottom, then round
 the top."""
@@ -55,14 +50,19 @@ def tetrahedron_volumes(nodes: NDArray[Any], corners: NDArray[Any]) -> NDArray[A
     return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6.0
 
 
-def outer_sides(hexahedra: NDArray[Any]) -> NDArray[Any]:
-    """Return the sides of hexahedra that belong to no second one, in their own order of corners, shape (m, 4)."""
-    return unshared_sides(hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4), 4)
+def outer_quads(*elements: NDArray[Any]) -> NDArray[Any]:
+    """Return the sides of hexahedra (m, 8) and ten-node tetrahedra (m, 10) that belong to no second one, shape (n, 4).
 
-
-def outer_triangles(tetrahedra: NDArray[Any]) -> NDArray[Any]:
-    """Return the sides of ten-node tetrahedra that belong to no second one as four triangles each, shape (m, 3)."""
-    return unshared_sides(tetrahedra[:, TETRAHEDRON_SIDES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
+    A side of a tetrahedron is four triangles, each with its last corner twice.
+    """
+    sides = []
+    for each in elements:
+        if each.shape[1] == 8:
+            sides.append(unshared_sides(each[:, HEXAHEDRON_SIDES].reshape(-1, 4), 4))
+        else:
+            quarters = unshared_sides(each[:, TETRAHEDRON_SIDES].reshape(-1, 6), 3)[:, QUARTERS].reshape(-1, 3)
+            sides.append(quarters[:, [0, 1, 2, 2]])
+    return np.concatenate(sides)
 
 
 def unshared_sides(sides: NDArray[Any], corners: int) -> NDArray[Any]:

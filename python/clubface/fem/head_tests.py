@@ -18,7 +18,6 @@ from clubface.fem.heads import MeshedHead, head as meshed, mesh_of
 from clubface.fem.heads.read import Design
 from clubface.fem.impact_result import columns_of
 from clubface.fem.materials import Material
-from clubface.fem.result import Impact
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 from clubface.jobs.engine import Job
@@ -100,7 +99,7 @@ def restitution(
         shaped, ball=ball, friction=friction, settings=_settings(threads, safety), progress=progress,
         speed=approach, loft=0.0, toe=across, high=up,
     )  # fmt: skip
-    _check_complete(run)
+    run.check_complete()
     launch = run.outcome()
     flies, follows, spin = (
         np.array([launch[f"{name}_{axis}"] for axis in "xyz"]) for name in ("velocity", "club_velocity", "club_spin")
@@ -151,7 +150,7 @@ def characteristic_time(
         meshed(head), ball=striker(), friction=0.0, settings=_settings(threads, safety, interval=1e-6),
         progress=progress, speed=approach, loft=0.0, toe=toe, high=high,
     )  # fmt: skip
-    _check_complete(run)
+    run.check_complete()
     gained = run.motion["velocity"][:, 0]
     share = (gained - gained[0]) / (gained[-1] - gained[0])
     first, last = (_crossing(run.motion["time"], share, level) for level in (0.05, 0.95))
@@ -160,14 +159,6 @@ def characteristic_time(
 
 def _settings(threads: int, safety: float | None, interval: float = Settings.interval) -> Settings:
     return Settings(duration=1.5e-3, interval=interval, until_separation=True, threads=threads, safety=safety)
-
-
-def _check_complete(run: Impact) -> None:
-    """Refuse a run that did not come to its end: nothing can be measured on it."""
-    if run.interrupted:
-        raise KeyboardInterrupt
-    if run.stopped:
-        raise RunError(run.stopped)
 
 
 def striker() -> Ball:

@@ -99,16 +99,10 @@ def columns_of(
     unit: str | None = None,
     labels: Mapping[str, str] | None = None,
 ) -> list[Column]:
-    """Return columns of rows whose keys end in a unit.
+    """Return columns of those ``keys`` of rows, which end in a unit.
 
-    Parameters
-    ----------
-    rows, keys
-        The rows; the keys of which columns are made.
-    unit
-        In which speeds are printed; mph unless given.
-    labels
-        Headings by key, where they are not those of the quantity.
+    Speeds are printed in ``unit``, mph unless given; ``labels`` are headings by key, where they are not those of the
+    quantity.
     """
     columns = []
     for key in keys:
@@ -281,12 +275,9 @@ def ball_result(ball: Ball) -> Result:
     title = ball.description or ball.name
     table = Table("ball", columns, title, "transposed")
     return Result(
-        "ball",
-        title,
-        (table, materials_table(ball)),
+        "ball", title, (table, materials_table(ball)), provenance=Provenance({"ball": ball.name}),
         notes=(note("ball-conforms" if conforms else "ball-does-not-conform"),),
-        provenance=Provenance({"ball": ball.name}),
-    )
+    )  # fmt: skip
 
 
 def _pictures(impact: Impact) -> list[Picture]:

@@ -83,8 +83,8 @@ class Energy:
         """Return a constant [SI], checked: a stress, or a number."""
         dimension = self.dimensions[name]
         if dimension is None:
-            dimension = units.dimension_of(given, name=name) if isinstance(given, str) else units.DIMENSIONLESS
-            dimension = dimension if dimension == "pressure" else units.DIMENSIONLESS
+            is_stress = isinstance(given, str) and units.dimension_of(given, name=name) == "pressure"
+            dimension = "pressure" if is_stress else units.DIMENSIONLESS
         return units.parse(given, dimension, name=name)
 
     @cached_property

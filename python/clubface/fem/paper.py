@@ -26,16 +26,9 @@ from clubface.support.files import DATA
 from clubface.support.renamed import renamed_arguments
 
 __all__ = [
-    "PUBLISHED",
-    "SPIN_FACTOR",
-    "by_contact",
-    "fitted_spin",
-    "paper",
-    "reference",
-    "section_spin",
-    "spin_factor",
+    "PUBLISHED", "SPIN_FACTOR", "by_contact", "fitted_spin", "paper", "reference", "section_spin", "spin_factor",
     "table",
-]
+]  # fmt: skip
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
@@ -47,8 +40,6 @@ SPEED, LOFT, RADIUS = (
     for name, dimension in (("speed", "speed"), ("loft", "angle"), ("ball_radius", "length"))
 )
 """Their case [m/s, rad, m]."""
-
-
 SHAPES = 201
 """Deformed shapes that are kept, one in 5 us, from which the spin of a section is found."""
 
@@ -63,10 +54,8 @@ def paper(source: str | os.PathLike[str] | Case = "paper", progress: Progress | 
 
 def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> dict[str, Impact]:
     """Run the case by every method of contact, that of the case itself first; a run that stops is the last."""
-    chosen = case(source)
-    methods = sorted(METHODS, key=lambda method: method != chosen.settings.contact)
-    runs: dict[str, Impact] = {}
-    for method in methods:
+    chosen, runs = case(source), dict[str, Impact]()
+    for method in sorted(METHODS, key=lambda method: method != chosen.settings.contact):
         runs[method] = paper(chosen.replace(settings={"contact": method}), progress)
         if runs[method].stopped:
             break
@@ -180,13 +169,8 @@ def spin_factor(impact: Impact) -> float:
 
 def figures(impact: Impact) -> dict[str, Any]:
     """Return the table of a run, and what it cost."""
-    return {
-        **table(impact),
-        "energy_error": impact.energy_error,
-        "elements": impact.elements,
-        "steps": impact.steps,
-        "wall_s": impact.wall,
-    }
+    cost = {"elements": impact.elements, "steps": impact.steps, "wall_s": impact.wall}
+    return {**table(impact), "energy_error": impact.energy_error, **cost}
 
 
 REFERENCE_SPEED = "35 m/s"

@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.errors import InputError
+from clubface.errors import InputError, RunError
 from clubface.fem.balls import Ball
-from clubface.fem.geometry import EDGES, outer_sides, outer_triangles
+from clubface.fem.geometry import EDGES, outer_quads
 from clubface.fem.heads import ShellHead
 from clubface.results.result import Described, Result
 from clubface.simulation.results import inputs
@@ -302,6 +302,13 @@ class Impact(Described):
         flight = fly(self.launch)
         return {name: float(flight.get(name)) for name in ("carry", "side", "apex")}
 
+    def check_complete(self) -> None:
+        """Raise KeyboardInterrupt for a run that was interrupted, and RunError for one that ended early otherwise."""
+        if self.interrupted:
+            raise KeyboardInterrupt
+        if self.stopped:
+            raise RunError(self.stopped)
+
     def to_result(self) -> Result:
         """Return launch, contact, histories and pictures as a result."""
         from clubface.fem.impact_result import impact_result
@@ -374,9 +381,7 @@ class SurfaceRecovery:
         ``elements`` are the nodes of hexahedra, shape (l, 8), of ten-node tetrahedra, shape (l, 10), or of both in this
         order.
         """
-        quads = np.concatenate([
-            outer_sides(each) if each.shape[1] == 8 else outer_triangles(each)[:, [0, 1, 2, 2]] for each in elements
-        ])  # fmt: skip
+        quads = outer_quads(*elements)
         surface = np.unique(quads)
         on_surface = np.isin(np.arange(len(nodes)), surface)
         centres = np.concatenate([nodes[each].mean(axis=1) for each in elements])

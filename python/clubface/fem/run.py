@@ -19,7 +19,7 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import Parameter
 from clubface.errors import EdgeWarning, InputError, ShotError
 from clubface.fem import core
-from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball as ball_of, friction_value
+from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball as ball_of, friction_of
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import head_names
 from clubface.fem.heads.meshed import MeshedHead, ShellHead, mesh_of
@@ -40,13 +40,9 @@ __all__ = ["Derivatives", "sensitivity", "strike", "throw", "variables"]
 AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
 
 FRICTION = Parameter(
-    "friction",
-    "1",
-    "Coulomb's coefficient between ball and face",
-    FRICTION_OF_A_BALL,
-    *FRICTION_LIMITS,
+    "friction", "1", "Coulomb's coefficient between ball and face", FRICTION_OF_A_BALL, *FRICTION_LIMITS,
     "that of the ball, unless it is given; 0.3 to 0.4 are measured",
-)
+)  # fmt: skip
 
 THROW_SPEEDS = (0.01, 150.0)
 """Speeds at which a ball may be thrown [m/s]."""
@@ -197,11 +193,6 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
 def inputs_of(shot: Shots) -> list[float]:
     """Return the inputs of one shot in the order of the core."""
     return [float(value) for value in shot.columns]
-
-
-def friction_of(given: Any, made: Ball) -> float:
-    """Return the coefficient of friction that was given, checked, or that of the ball."""
-    return made.friction if given is None else friction_value(given)
 
 
 VARIABLES_A_RUN = 4

@@ -46,13 +46,7 @@ class SectionOutline:
 
 
 class Section:
-    """The mesh in the plane through the ball's axis of first touch and the direction up the face.
-
-    Attributes
-    ----------
-    times
-        Of the shapes [s].
-    """
+    """The mesh in the plane through the ball's axis of first touch and the direction up the face, at ``times`` [s]."""
 
     def __init__(self, impact: Impact) -> None:
         if not len(impact.frames):

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, RunError
+from clubface.errors import InputError
 from clubface.fem.core import Progress
-from clubface.fem.geometry import area_vectors, sums_at_nodes
-from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, SolidPart, head as meshed
+from clubface.fem.geometry import area_vectors, outer_quads, sums_at_nodes
+from clubface.fem.heads import DriverHead, IronHead, MeshedHead, Metal, ShellHead, SolidHead, head as meshed
 from clubface.fem.heads.read import Design, design_of
 from clubface.fem.result import SurfaceRecovery, von_mises
 from clubface.fem.run import AnyBall, strike
@@ -35,8 +35,6 @@ DURATION = 0.8e-3
 INTERVAL = 5e-6
 """Time between the shapes whose stress is kept [s]; the slowest vibrations of a face, which carry its stress, take a
 hundred times as long."""
-
-
 FINER = (1.0, 1.25, 1.5)
 """Numbers of elements along each edge of the meshes of a convergence, over those of the head."""
 MOST_ELEMENTS = 400
@@ -202,10 +200,7 @@ def blow_stress(
         impact = strike(
             _elastic(each), ball=ball, friction=friction, settings=settings, progress=report, speed=speed, **delivery
         )
-        if impact.interrupted:
-            raise KeyboardInterrupt
-        if impact.stopped or impact.head_fields is None:
-            raise RunError(impact.stopped or "the run kept no stress")
+        impact.check_complete()
         runs.append(_solid(each, impact) if isinstance(each, SolidHead) else _shells(each, impact))
     first, surface = runs[0]
     parts = (
@@ -253,7 +248,7 @@ def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStres
     """
     assert run.head_fields is not None
     of_part = head.part_of_elements()
-    outside = {tuple(side) for side in np.sort(_outside(head), axis=1).tolist()}
+    outside = {tuple(side) for side in np.sort(outer_quads(head.hexahedra, head.tetrahedra), axis=1).tolist()}
     parts, pieces = [], []
     for number, part in enumerate(head.parts):
         own = [each for each in (part.hexahedra, part.tetrahedra) if len(each)]
@@ -274,12 +269,6 @@ def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStres
         bending=all(recovery.extrapolated.mean() > 0.5 for recovery, *_ in pieces),
     )  # fmt: skip
     return parts, surface
-
-
-def _outside(head: SolidHead) -> NDArray[Any]:
-    """Return the outer sides of a head."""
-    whole = SolidPart(name="", metal=Metal(), hexahedra=head.hexahedra, tetrahedra=head.tetrahedra)
-    return whole.outside()
 
 
 def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
@@ -307,12 +296,9 @@ def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStr
 
 def _elastic(head: MeshedHead) -> MeshedHead:
     """Return the same head of metals that do not yield."""
-
-    def elastic(metal: Metal) -> Metal:
-        return replace(metal, yield_stress=None, hardening=None)
-
     assert isinstance(head, ShellHead | SolidHead)
-    parts: Any = tuple(replace(part, metal=elastic(part.metal)) for part in head.parts)
+    elastic: Any = {"yield_stress": None, "hardening": None}
+    parts: Any = tuple(replace(part, metal=replace(part.metal, **elastic)) for part in head.parts)
     return replace(head, parts=parts)
 
 

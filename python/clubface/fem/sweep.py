@@ -14,7 +14,6 @@ from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.impact_result import columns_of
 from clubface.fem.pictures import sweep_picture
-from clubface.fem.result import Impact
 from clubface.jobs.engine import Job
 from clubface.jobs.table import Place, Row, run_table
 from clubface.jobs.workers import worker_count
@@ -87,16 +86,26 @@ def sweep(
     for speed in (min(speeds), max(speeds)):
         for loft in (min(lofts), max(lofts)):
             base.replace(speed=speed, loft=loft)
-    lofts_of = {(speed, _degrees(loft)): loft for speed, loft in points}
+    # Angles [deg] as they were given: without the rounding of the way to rad and back.
+    lofts_of = {(speed, round(units.from_si(loft, "deg"), 9)): loft for speed, loft in points}
+    content = {
+        "ball": base.ball.values(), "head": [base.head, base.club],
+        "delivery": {key: str(value) for key, value in base.delivery.items() if key not in ("speed", "loft")},
+        "friction": base.friction, "setting": base.settings.values(),
+    }  # fmt: skip
 
     def run(place: Place, keep_going: Progress, threads: int) -> Row:
         loft = lofts_of[place]
         impact = base.replace(speed=place[0], loft=loft, settings={"threads": threads}).run(keep_going)
-        return row_of((place[0], loft), impact)
+        values = paper.figures(impact) | {
+            "speed_mps": place[0], "loft_deg": place[1], "contact_time_s": impact.contact_time,
+            "stopped": impact.stopped or "",
+        }  # fmt: skip
+        return {name: values[name] for name in COLUMNS}
 
     columns: dict[str, Callable[[str], Any]] = {**dict.fromkeys(COLUMNS, float), "steps": int, "stopped": str}
     job = Job("runs", list(lofts_of), run)
-    return run_table(job, output, _content(base), columns, workers=workers, progress=progress)
+    return run_table(job, output, content, columns, workers=workers, progress=progress)
 
 
 def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Result:
@@ -107,32 +116,3 @@ def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) 
         kind="sweep", title="Sweep of speeds and lofts", tables=(Table("sweep", tuple(columns)),),
         draw=lambda: [sweep_picture(rows, published=published)],
     )  # fmt: skip
-
-
-def row_of(point: tuple[float, float], impact: Impact) -> dict[str, Any]:
-    """Return one row of the table."""
-    values = {
-        **paper.figures(impact),
-        "speed_mps": point[0],
-        "loft_deg": _degrees(point[1]),
-        "contact_time_s": impact.contact_time,
-        "stopped": impact.stopped or "",
-    }
-    return {name: values[name] for name in COLUMNS}
-
-
-def _degrees(angle: float) -> float:
-    """Return an angle [deg] as it was given: without the rounding of the way to rad and back."""
-    return round(units.from_si(angle, "deg"), 9)
-
-
-def _content(base: Case) -> dict[str, Any]:
-    """Return everything in a case but what is swept."""
-    delivery = {key: str(value) for key, value in base.delivery.items() if key not in ("speed", "loft")}
-    return {
-        "ball": base.ball.values(),
-        "head": [base.head, base.club],
-        "delivery": delivery,
-        "friction": base.friction,
-        "setting": base.settings.values(),
-    }

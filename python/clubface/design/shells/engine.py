@@ -114,11 +114,8 @@ class Engine:
             result = strike(
                 head, ball=study.ball, settings=settings, progress=going, **blow.at(blow.points[place])
             )  # fmt: skip
+            result.check_complete()
         except RunError:
-            return {}
-        if result.interrupted:
-            raise KeyboardInterrupt
-        if result.stopped is not None:
             return {}
         if kind == "blow":
             return face_stress(result, head)

@@ -67,21 +67,11 @@ NEGLIGIBLE = 1e-3
 
 
 class SpreadMass(NamedTuple):
-    """What the nodes carry.
+    """What the nodes carry, and by how much the head misses what points at the places would give it."""
 
-    Attributes
-    ----------
-    added
-        Mass of each node beyond its metal [kg]; of a node whose metal is made lighter, negative.
-    away
-        By how much the CG of the head misses that of the points [m].
-    inertia
-        Largest part by which a moment of inertia of the head about its CG misses.
-    """
-
-    added: NDArray[Any]
-    away: float
-    inertia: float
+    added: NDArray[Any]  # of each node beyond its metal [kg]; negative where the metal is made lighter
+    away: float  # how far the CG is off [m]
+    inertia: float  # largest part by which a moment of inertia about the CG is off
 
 
 def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArray[Any], metal: NDArray[Any],
@@ -93,16 +83,8 @@ def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArr
     most by ``MOST_CHANGE``. Mass and CG are exact then. The inertia of a mass off the walls is nearly so: nodes of a
     shell all lie near one quadric, whose moment no distribution over them changes.
 
-    Parameters
-    ----------
-    places
-        x, y, z [m] and mass [kg], by name.
-    nodes
-        Their places [m], shape (n, 3).
-    metal
-        Mass of the metal at each node [kg].
-    face
-        Nodes of the face, whose metal stays as it is.
+    ``places`` are x, y, z [m] and mass [kg] by name, ``nodes`` those of the mesh [m], shape (n, 3), ``metal`` the mass
+    of the metal at each [kg], and ``face`` the nodes of the face, whose metal stays as it is.
     """
     added = np.zeros(len(nodes))
     points = np.array([place[:3] for place in places.values()]).reshape(-1, 3)

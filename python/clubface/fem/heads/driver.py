@@ -84,45 +84,28 @@ class DriverHead:
     def values(self) -> dict[str, Any]:
         """Return what the core takes."""
         target = self.target
+        # The target is from the CG to the face centre, the core's from the face centre to the CG.
+        centre = [None if key not in target else -target[key] for key in CENTRE]
         return {
-            "shape": dict(self.shape),
-            "elements": list(self.elements),
+            "shape": dict(self.shape), "elements": list(self.elements),
             "thickness": {key: self.thickness[key] for key in WALLS},
-            "metal": (self.metal.youngs, self.metal.poisson, self.metal.density),
-            "scales": self.scales,
+            "metal": (self.metal.youngs, self.metal.poisson, self.metal.density), "scales": self.scales,
             "trims": [(name, list(place[:3]), place[3]) for name, place in self.trims.items()],
-            "target": {
-                "mass": target["mass"],
-                # The target is from the CG to the face centre, the core's from the face centre to the CG.
-                "centre": [None if key not in target else -target[key] for key in CENTRE],
-                "above": target.get("cg_above"),
-                "inertia": [target.get(key) for key in INERTIA],
-            },
-        }
+            "target": {"mass": target["mass"], "centre": centre, "above": target.get("cg_above"),
+                       "inertia": [target.get(key) for key in INERTIA]},
+        }  # fmt: skip
 
     def mesh(self) -> ShellHead:
         """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
         meshed = in_thread(core.fem_driver, self.values())
         report = {"scale": meshed["scale"], **dict(zip(self.trims, meshed["trims"], strict=True))}
         made = ShellHead(
-            name=self.name,
-            description=self.description,
-            nodes=meshed["nodes"].reshape(-1, 3),
-            quads=meshed["quads"].reshape(-1, 4),
-            thickness=meshed["thickness"],
-            added=meshed["added"],
+            name=self.name, description=self.description, nodes=meshed["nodes"].reshape(-1, 3),
+            quads=meshed["quads"].reshape(-1, 4), thickness=meshed["thickness"], added=meshed["added"],
             parts=tuple(Part(name, count, self.metal, name == "face") for name, count in meshed["parts"]),
-            loft=self.shape["loft"],
-            bulge=self.shape["bulge"],
-            roll=self.shape["roll"],
-            report=report,
-            asked=self.target,
-        )
-        self._warn_missed(made)
-        return made
-
-    def _warn_missed(self, made: ShellHead) -> None:
-        """Warn of targets that walls and trim masses do not allow."""
+            report=report, asked=self.target, **{name: self.shape[name] for name in ("loft", "bulge", "roll")},
+        )  # fmt: skip
+        # Targets that walls and trim masses do not allow.
         reached = made.reached
         missed = [
             f"{name} {units.from_si(reached[name], unit):.5g} {unit} instead of {units.from_si(asked, unit):.5g} {unit}"
@@ -133,3 +116,4 @@ class DriverHead:
         if missed:
             room = "wider `scales` of the walls, or more or larger trims, help"
             warn_once(f"{self.name}: {', '.join(missed)}; {room}", TargetWarning)
+        return made

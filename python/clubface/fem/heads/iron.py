@@ -94,17 +94,11 @@ class IronHead:
         if (note := note_of(carried, negligible=1e-2)) is not None:
             warn_once(f"{self.name}: {note}", MeshWarning)
         return SolidHead(
-            name=self.name,
-            description=self.description,
-            nodes=nodes,
-            parts=(SolidPart(name="head", metal=self.metal, hexahedra=hexahedra),),
-            face=face,
-            grooves=self.grooves,
-            added=carried.added,
-            loft=self.shape["loft"],
-            element=self.element,
+            name=self.name, description=self.description, nodes=nodes, face=face, grooves=self.grooves,
+            parts=(SolidPart(name="head", metal=self.metal, hexahedra=hexahedra),), added=carried.added,
+            loft=self.shape["loft"], element=self.element,
             report={name: place[3] for name, place in self.masses.items()},
-        )
+        )  # fmt: skip
 
 
 def _check_grooves(grooves: Mapping[str, float], shape: Mapping[str, float]) -> None:

@@ -40,36 +40,20 @@ DIRECTIONS = ("x must point to the target", "y must point up", "z must point fro
 
 
 class Face(NamedTuple):
-    """The face of a mesh about its centre.
+    """The face of a mesh about its centre; curvatures are None where the mesh is too coarse."""
 
-    Attributes
-    ----------
-    normal
-        Outward normal at the centre.
-    bulge, roll
-        Curvatures along the face and up it [1/m], positive where it is convex; None where the mesh is too coarse.
-    height
-        How far the face is in front of the centre, along the normal [m].
-    """
-
-    normal: NDArray[Any]
-    bulge: float | None
-    roll: float | None
-    height: float
+    normal: NDArray[Any]  # outward
+    bulge: float | None  # curvature along the face [1/m], positive where it is convex
+    roll: float | None  # the same up the face
+    height: float  # how far the face is in front of the centre, along the normal [m]
 
 
 def measured_face(nodes: NDArray[Any], quads: NDArray[Any], drawn: NDArray[Any]) -> Face:
     """Return the face about the origin: the normal of its elements there, and a quadric through its nodes.
 
-    Parameters
-    ----------
-    nodes
-        Seen from the face centre [m].
-    quads
-        Elements of the face.
-    drawn
-        Which nodes are those of the file, shape (nodes,): what was added at the middle of edges and triangles lies
-        behind a curved face, and would change its radii.
+    ``nodes`` are seen from the face centre [m], ``quads`` are the elements of the face, and ``drawn`` says which nodes
+    are those of the file: what was added at the middle of edges and triangles lies behind a curved face, and would
+    change its radii.
     """
     corners = nodes[quads]
     area = area_vectors(nodes, quads)
@@ -107,18 +91,9 @@ def _quadric(places: NDArray[Any], normal: NDArray[Any], reach: float) -> Face |
 
 
 def check_frame(
-    mesh: Mesh,
-    nodes: NDArray[Any],
-    quads: NDArray[Any],
-    *,
-    drawn: NDArray[Any],
-    loft: float,
-    bulge: float,
-    roll: float,
-    wall: float,
-    centre: str,
-    parts: Mapping[str, NDArray[Any]],
-) -> None:
+    mesh: Mesh, nodes: NDArray[Any], quads: NDArray[Any], *, drawn: NDArray[Any], loft: float, bulge: float,
+    roll: float, wall: float, centre: str, parts: Mapping[str, NDArray[Any]],
+) -> None:  # fmt: skip
     """Refuse a mesh whose position disagrees with its head's file.
 
     Parameters

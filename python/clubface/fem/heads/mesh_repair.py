@@ -402,14 +402,7 @@ def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDAr
     From a quadrilateral with an odd number a path leads over neighbours to the nearest other one, or to the end of the
     surface; every edge on its way changes. Edges of triangles are no way, so that the odd ones of a surface pair up.
 
-    Parameters
-    ----------
-    of_place
-        Edges of each element, shape (m, 4).
-    triangles
-        Which elements are triangles.
-    count
-        Number of edges.
+    ``of_place`` has the edges of each element, shape (m, 4), of ``count`` in all; ``triangles`` says which are some.
     """
     marked = np.zeros(count, bool)
     marked[of_place[triangles, :3]] = True

@@ -16,12 +16,11 @@ from clubface import units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
 from clubface.fem import core
 from clubface.fem.core import in_thread
-from clubface.fem.geometry import area_vectors, outer_sides, outer_triangles, triangles
+from clubface.fem.geometry import area_vectors, outer_quads, triangles
 from clubface.fem.heads.metal import Metal
 from clubface.fem.materials import Material
 
 
-@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class MeshedHead(ABC):
     """A head of elements, in SI units.
 
@@ -47,10 +46,10 @@ class MeshedHead(ABC):
     nodes: NDArray[Any]
     added: NDArray[Any]
     loft: float
-    bulge: float = math.inf
-    roll: float = math.inf
-    description: str = ""
-    report: Mapping[str, float] = field(default_factory=dict)
+    bulge: float
+    roll: float
+    description: str
+    report: Mapping[str, float]
 
     @abstractmethod
     def values(self) -> dict[str, Any]:
@@ -95,19 +94,11 @@ class MeshedHead(ABC):
         inertia: dict[str, Any] = {f"i{'xyz'[i]}{'xyz'[j]}": float(tensor[i, j]) for i in range(3) for j in range(i, 3)}
         cg: dict[str, Any] = {f"cg_{axis}": -float(value) for axis, value in zip("xyz", weighed["centre"], strict=True)}
         return Club(
-            name=self.name,
-            description=self.description,
-            kind="iron" if np.isinf(self.bulge) else "wood",
-            mass=float(weighed["mass"]),
-            loft=self.loft,
-            bulge=self.bulge,
-            roll=self.roll,
-            **cg,
-            **inertia,
+            name=self.name, description=self.description, kind="iron" if np.isinf(self.bulge) else "wood",
+            mass=float(weighed["mass"]), loft=self.loft, bulge=self.bulge, roll=self.roll, **cg, **inertia,
             # The outline about the face centre that holds the whole face.
-            face_width=2.0 * float(np.abs(places[:, 2]).max()),
-            face_height=float(np.hypot(size[0], size[1])),
-        )
+            face_width=2.0 * float(np.abs(places[:, 2]).max()), face_height=float(np.hypot(size[0], size[1])),
+        )  # fmt: skip
 
     @property
     def cg_above(self) -> float:
@@ -183,7 +174,7 @@ class SolidPart:
 
     def outside(self) -> NDArray[Any]:
         """Return the outer sides of its elements as quadrilaterals; a triangle has its last corner twice."""
-        return np.concatenate([outer_sides(self.hexahedra), outer_triangles(self.tetrahedra)[:, [0, 1, 2, 2]]])
+        return outer_quads(self.hexahedra, self.tetrahedra)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -224,11 +215,19 @@ class SolidHead(MeshedHead):
         Kind of the hexahedra, "one-point" or "full".
     """
 
+    name: str
+    nodes: NDArray[Any]
     parts: tuple[SolidPart, ...]
     face: NDArray[Any]
+    added: NDArray[Any]
+    loft: float
     bonds: tuple[Bond, ...] = ()
     grooves: Mapping[str, float] | None = None
     element: str = "one-point"
+    description: str = ""
+    report: Mapping[str, float] = field(default_factory=dict)
+    bulge: float = math.inf
+    roll: float = math.inf
 
     @cached_property
     def hexahedra(self) -> NDArray[Any]:
@@ -279,19 +278,7 @@ class SolidHead(MeshedHead):
 
 @dataclass(frozen=True)
 class Part:
-    """Consecutive shells with one name.
-
-    Attributes
-    ----------
-    name
-        Its name, such as "crown".
-    elements
-        Number of shells.
-    metal
-        The metal.
-    face
-        Whether the ball may touch them.
-    """
+    """Consecutive shells, ``elements`` in number, with one name, such as "crown"; the ball may touch a ``face``."""
 
     name: str
     elements: int
@@ -316,9 +303,17 @@ class ShellHead(MeshedHead):
         allow is missed.
     """
 
+    name: str
+    nodes: NDArray[Any]
     quads: NDArray[Any]
     thickness: NDArray[Any]
     parts: tuple[Part, ...]
+    added: NDArray[Any]
+    loft: float
+    bulge: float
+    roll: float
+    description: str = ""
+    report: Mapping[str, float] = field(default_factory=dict)
     asked: Mapping[str, float] = field(default_factory=dict)
 
     @property

@@ -42,8 +42,18 @@ class Hardening:
             name, other = ("gain", "rate") if self.gain > 0.0 else ("rate", "gain")
             raise InputError(f"hardening.{name}", getattr(self, name), f"give {other} as well")
         object.__setattr__(self, "table", tuple(_point(each) for each in self.table))
-        if self.table:
-            _check_table(self.table)
+        if not self.table:
+            return
+        if len(self.table) > MAX_HARDENING_POINTS:
+            raise InputError("hardening", f"{len(self.table)} points", f"1 to {MAX_HARDENING_POINTS} points")
+        strains, stresses = zip(*self.table, strict=True)
+        if strains[0] != 0.0 or any(not a < b for a, b in pairwise(strains)):
+            raise InputError("hardening", list(strains), "plastic strains that begin at 0 and increase")
+        if not stresses[0] > 0.0 or any(not a <= b for a, b in pairwise(stresses)):
+            shown = [units.show(stress, "MPa") for stress in stresses]
+            raise InputError(
+                "hardening", shown, "stresses above 0 that do not fall: a metal that softens fails at once"
+            )
 
 
 def _point(given: Any) -> tuple[float, float]:
@@ -51,17 +61,6 @@ def _point(given: Any) -> tuple[float, float]:
         raise InputError("hardening", given, "points of plastic strain and yield stress")
     strain = units.parse(given[0], units.DIMENSIONLESS, name="hardening")
     return strain, units.parse(given[1], "pressure", name="hardening")
-
-
-def _check_table(table: Sequence[tuple[float, float]]) -> None:
-    if len(table) > MAX_HARDENING_POINTS:
-        raise InputError("hardening", f"{len(table)} points", f"1 to {MAX_HARDENING_POINTS} points")
-    strains, stresses = zip(*table, strict=True)
-    if strains[0] != 0.0 or any(not a < b for a, b in pairwise(strains)):
-        raise InputError("hardening", list(strains), "plastic strains that begin at 0 and increase")
-    if not stresses[0] > 0.0 or any(not a <= b for a, b in pairwise(stresses)):
-        shown = [units.show(stress, "MPa") for stress in stresses]
-        raise InputError("hardening", shown, "stresses above 0 that do not fall: a metal that softens fails at once")
 
 
 class HardeningValue(Value):
@@ -118,12 +117,9 @@ class Metal:
         PhysicalValue("kg/m3", 100, 25000, decimals=4), "density", example="4430 kg/m3", default=4430.0
     )
     yield_stress: float | None = file_key(
-        PhysicalValue("MPa", decimals=4),
-        "stress in tension at which it yields",
-        name="yield",
-        example="880 MPa",
+        PhysicalValue("MPa", decimals=4), "stress in tension at which it yields", name="yield", example="880 MPa",
         default=None,
-    )
+    )  # fmt: skip
     hardening: Hardening | None = file_key(
         HARDENING, "increase of the yield stress with plastic strain: a modulus, its values, or points of a table",
         default=None,
@@ -177,10 +173,5 @@ class Metal:
         if self.yield_stress is None:
             return None
         hardening = self.hardening or Hardening()
-        return {
-            "yield_stress": self.yield_stress,
-            "modulus": hardening.modulus,
-            "gain": hardening.gain,
-            "rate": hardening.rate,
-            "table": list(hardening.table),
-        }
+        values = {name: getattr(hardening, name) for name in ("modulus", "gain", "rate")}
+        return {"yield_stress": self.yield_stress, **values, "table": list(hardening.table)}

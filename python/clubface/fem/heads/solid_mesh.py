@@ -38,22 +38,12 @@ TOP_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
 
 @dataclass(frozen=True, kw_only=True)
 class Solids:
-    """The solid elements of a head.
+    """The solid elements of a head."""
 
-    Attributes
-    ----------
-    points, node_ids
-        Places of nodes, in the unit of the file, shape (n, 3), and their numbers there; 0 for one that was added.
-    parts
-        Elements by group.
-    ids
-        Numbers of the elements in the file, in the order of results.
-    """
-
-    points: NDArray[Any]
-    node_ids: NDArray[Any]
-    parts: tuple[SolidPart, ...]
-    ids: NDArray[Any]
+    points: NDArray[Any]  # places of nodes in the unit of the file, shape (n, 3)
+    node_ids: NDArray[Any]  # their numbers in the file; 0 for one that was added
+    parts: tuple[SolidPart, ...]  # a group each
+    ids: NDArray[Any]  # numbers of the elements in the file, in the order of results
 
     def metal_at_nodes(self, size: float) -> NDArray[Any]:
         """Return the mass of metal at each node [kg]; ``size`` is that of the unit of the points [m]."""
@@ -71,16 +61,7 @@ def solids_of_mesh(
 ) -> Solids:
     """Return the solid elements of a mesh, oriented, with their seams closed but for those of bonds.
 
-    Parameters
-    ----------
-    mesh
-        The file, its elements solid ones.
-    of_group
-        Group of each element.
-    names, metals
-        Of the groups.
-    bonds
-        Parts whose nodes stay apart from those of others.
+    ``of_group`` is the group of each element; ``names`` and ``metals`` are those of the groups.
 
     Raises
     ------
@@ -199,16 +180,8 @@ def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexah
 def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any], cosine: float) -> NDArray[Any]:
     """Return the sides that face along a normal and hang together with the one nearest to the origin.
 
-    Parameters
-    ----------
-    nodes
-        Places of the nodes [m], shape (n, 3).
-    sides
-        Quadrilaterals, shape (m, 4); a triangle has its last corner twice.
-    normal
-        Unit vector.
-    cosine
-        Least cosine of the angle between a side's normal and that one.
+    ``sides`` are quadrilaterals, shape (m, 4), a triangle with its last corner twice, and ``cosine`` is the least one
+    of the angle between a side's normal and ``normal``, a unit vector.
     """
     area = area_vectors(nodes, sides)
     facing = sides[area @ normal >= cosine * np.linalg.norm(area, axis=1)]

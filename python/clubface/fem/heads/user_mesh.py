@@ -260,32 +260,21 @@ class MeshHead:
 
     def _check_unit(self, across: float) -> None:
         """Refuse a unit in which a head that measures ``across`` in the file would be too large or too small."""
-
-        def size(unit: str) -> float:
-            return units.parse(f"1 {unit}", "length") * across
-
-        def fits(unit: str) -> bool:
-            return SIZES[0] <= size(unit) <= SIZES[1]
-
-        if fits(self.unit):
+        sizes = {unit: units.parse(f"1 {unit}", "length") * across for unit in (self.unit, "mm", "cm", "in", "m")}
+        fitting = [unit for unit, size in sizes.items() if SIZES[0] <= size <= SIZES[1]]
+        if self.unit in fitting:
             return
         least, most = (units.show(each, "mm") for each in SIZES)
-        shown = f"with it the size of the head is {units.show(size(self.unit), 'mm')}, {least} to {most} is allowed"
-        better = " or ".join(f'unit = "{unit}"' for unit in ("mm", "cm", "in", "m") if fits(unit))
+        shown = f"with it the size of the head is {units.show(sizes[self.unit], 'mm')}, {least} to {most} is allowed"
+        better = " or ".join(f'unit = "{unit}"' for unit in fitting)
         hint = f"try {better}" if better else "no unit makes a head of this mesh"
         allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {shown}; {hint}'
         raise InputError("unit", self.unit, allowed)
 
     def _check_frame(
-        self,
-        mesh: Mesh,
-        nodes: NDArray[Any],
-        sides: NDArray[Any],
-        wall: float,
-        drawn: NDArray[Any],
-        groups: Sequence[NDArray[Any]],
-        masses: Mapping[str, Place],
-    ) -> None:
+        self, mesh: Mesh, nodes: NDArray[Any], sides: NDArray[Any], wall: float, drawn: NDArray[Any],
+        groups: Sequence[NDArray[Any]], masses: Mapping[str, Place],
+    ) -> None:  # fmt: skip
         """Refuse a face centre that is not on the face, and a mesh whose position disagrees with this.
 
         ``sides`` are the elements of the face, ``wall`` [m] how thick it is about them, and ``groups`` the nodes of the

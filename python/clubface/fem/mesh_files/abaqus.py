@@ -36,8 +36,7 @@ class _Part:
 
     name: str = ""
     nodes: list[tuple[int, int, list[str]]] = field(default_factory=list)
-    elements: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
-    solids: list[tuple[int, int, tuple[int, ...]]] = field(default_factory=list)
+    elements: list[tuple[bool, int, int, list[int]]] = field(default_factory=list)  # whether solid, line, number, nodes
     sets: dict[str, list[int | str]] = field(default_factory=dict)
     sections: list[tuple[str, str, float | None, str]] = field(default_factory=list)
     points: list[tuple[int, int, str]] = field(default_factory=list)
@@ -58,9 +57,7 @@ class AbaqusReader(MeshBuilder):
 
     def read(self) -> Mesh:
         """Return the mesh."""
-        material = Wall()
-        in_assembly = False
-        instance = ""
+        material, in_assembly = Wall(), False
         for keyword in self._keywords():
             name, options = keyword.name, keyword.options
             if name == "INCLUDE" or "INPUT" in options:
@@ -73,9 +70,9 @@ class AbaqusReader(MeshBuilder):
             elif name in ("END PART", "ASSEMBLY", "END ASSEMBLY"):
                 self.part, in_assembly = self.parts[""], name == "ASSEMBLY"
             elif name == "INSTANCE":
-                instance = options.get("NAME", "")
-                self.instances.append((instance, options.get("PART", "").upper(), keyword.rows))
-                self.part = self.parts.setdefault(options.get("PART", "").upper(), _Part())
+                part = options.get("PART", "").upper()
+                self.instances.append((options.get("NAME", ""), part, keyword.rows))
+                self.part = self.parts.setdefault(part, _Part())
             elif name == "END INSTANCE":
                 self.part = self.parts[""]
             elif name == "NODE":
@@ -157,7 +154,7 @@ class AbaqusReader(MeshBuilder):
                 numbers = [self.number(line, cell) for cell in row]
                 if len(numbers) != count + 1:
                     raise self.error(line, f"this element of type {kind} has {len(numbers) - 1} nodes, not {count}")
-                (self.part.elements if shell else self.part.solids).append((line, numbers[0], tuple(numbers[1:])))
+                self.part.elements.append((bool(solid), line, numbers[0], numbers[1:]))
                 if name:
                     self.part.sets.setdefault(name, []).append(numbers[0])
             elif kind == "MASS" and len(row) > 1 and row[1].isdecimal():
@@ -223,11 +220,9 @@ class AbaqusReader(MeshBuilder):
             place = [self.coordinate(line, cell) for cell in cells]
             self.add_node(line, (key, number), number, moved(place))
         sets = [each for each in dict.fromkeys((name, part.name)) if each]
-        for line, number, nodes in part.elements:
-            corners = [(key, node) for node in nodes]
-            self.add_shell(line, number, corners, sets, key=(key, number))
-        for line, number, nodes in part.solids:
-            self.add_solid(line, number, [(key, node) for node in nodes], sets, key=(key, number))
+        for solid, line, number, nodes in part.elements:
+            add = self.add_solid if solid else self.add_shell
+            add(line, number, [(key, node) for node in nodes], sets, key=(key, number))
         names = {each.upper(): each for each in part.sets}
         for each in part.sets:
             numbers = _members(each, part, names, frozenset())

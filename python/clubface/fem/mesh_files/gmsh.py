@@ -114,14 +114,11 @@ class GmshReader(MeshBuilder):
         lines = content.decode("utf-8", "replace").splitlines()
         start = None
         for number, text in enumerate(lines):
-            if not text.startswith("$"):
-                continue
-            name = text.strip()
-            if name.startswith("$End"):
-                if start is not None and "$End" + lines[start].strip()[1:] == name:
+            if text.startswith("$End"):
+                if start is not None and "$End" + lines[start].strip()[1:] == text.strip():
                     self._section(lines[start].strip(), lines, start, number)
                 start = None
-            else:
+            elif text.startswith("$"):
                 start = number
         if start is not None:
             message = f"the section {shortened(lines[start], 40)} that begins in line {start + 1} does not end"
@@ -137,11 +134,8 @@ class GmshReader(MeshBuilder):
             reader(_TextRows(self, lines, start + 1, end))
 
     def _reader(self, name: str) -> Callable[[_Rows], None] | None:
-        if name == "$Nodes":
-            return self._nodes_2 if self.version < 3.0 else self._nodes_4
-        if name == "$Elements":
-            return self._elements_2 if self.version < 3.0 else self._elements_4
-        return self._entities if name == "$Entities" else None
+        nodes, elements = (self._nodes_2, self._elements_2) if self.version < 3.0 else (self._nodes_4, self._elements_4)
+        return {"$Nodes": nodes, "$Elements": elements, "$Entities": self._entities}.get(name)
 
     def _binary(self, content: bytes) -> None:
         at = content.find(b"$EndMeshFormat")
@@ -280,10 +274,8 @@ class GmshReader(MeshBuilder):
 
     def _check_kind(self, rows: _Rows, kind: int) -> None:
         if kind not in NODES:
-            message = (
-                f"elements of type {kind} of Gmsh are not read; write triangles and quadrilaterals of order 1 or 2"
-            )
-            raise self.error(rows.line, message)
+            write = "write triangles and quadrilaterals of order 1 or 2"
+            raise self.error(rows.line, f"elements of type {kind} of Gmsh are not read; {write}")
 
     def _add(self, line: int | None, kind: int, number: int, nodes: tuple[float, ...] | list[float],
              groups: list[int]) -> None:  # fmt: skip

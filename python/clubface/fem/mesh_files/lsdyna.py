@@ -88,11 +88,8 @@ class DeckReader(MeshBuilder):
             yield line, keyword, _without_end(rows)
             words = text[1:].upper().split()
             line, keyword, rows = number, words[0] if words else "", []
-            if (
-                any(each in text.upper().replace(" ", "") for each in ("LONG=Y", "I10=Y"))
-                or keyword.endswith(("%", "+"))
-                or words[1:2] in (["%"], ["+"])
-            ):
+            long = any(each in text.upper().replace(" ", "") for each in ("LONG=Y", "I10=Y"))
+            if long or keyword.endswith(("%", "+")) or words[1:2] in (["%"], ["+"]):
                 raise self.error(number, "decks in the long or i10 format are not read; write the standard format")
             if keyword == "END":
                 return
@@ -121,10 +118,7 @@ class DeckReader(MeshBuilder):
         for row in rows:
             number, part, *nodes = row.fields(*[8] * 10)
             if numbers is None:
-                numbers = (
-                    self.number(row.line, number, "an element"),
-                    self.number(row.line, part, "a part"),
-                )
+                numbers = self.number(row.line, number, "an element"), self.number(row.line, part, "a part")
                 # In the format of two lines the second has the nodes; the first, number and part alone.
                 if not any(nodes) or len(row.text.split()) == 2:
                     continue

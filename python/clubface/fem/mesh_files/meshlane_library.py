@@ -22,11 +22,5 @@ def contents(path: str) -> dict[str, Any]:
         ending = os.path.splitext(path)[1]
         tried = printed.getvalue() or f"it does not hold what files of this name ({ending}) hold"
         sys.exit(tried)
-    return {
-        "points": mesh.points,
-        "cells": [(block.type, block.data) for block in mesh.cells],
-        "field_data": mesh.field_data,
-        "cell_data": mesh.cell_data,
-        "cell_sets": mesh.cell_sets,
-        "notes": notes.getvalue(),
-    }
+    parts = {name: getattr(mesh, name) for name in ("points", "field_data", "cell_data", "cell_sets")}
+    return {**parts, "cells": [(block.type, block.data) for block in mesh.cells], "notes": notes.getvalue()}

@@ -146,10 +146,8 @@ class NastranReader(MeshBuilder):
     def _grid(self, card: _Card) -> None:
         number = self.number(card.line, card[1])
         if card[2] not in ("", "0"):
-            message = (
-                f"node {number} stands in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
-            )
-            raise self.error(card.line, message)
+            system = f"the coordinate system {shortened(card[2], 20)}"
+            raise self.error(card.line, f"node {number} stands in {system}; write all in the basic one")
         self.add_node(card.line, number, number, [_number(card[place] or "0") for place in (3, 4, 5)])
 
     def _shell(self, card: _Card) -> None:
