@@ -286,7 +286,7 @@ AREA_SI = {"shear_modulus": 54e6, "poisson": 0.398, "damping": 6.35e-3, "frictio
 def smooth(touch, values):
     """The law ``hertz`` by functions of NumPy, which take numbers that carry derivatives."""
     stiffness = 4.0 / 3.0 * values["shear_modulus"] / (1.0 - values["poisson"])
-    stiffness = stiffness / np.sqrt(1.0 / touch.radius + touch.curvature)
+    stiffness /= np.sqrt(1.0 / touch.radius + touch.curvature)
     normal = np.maximum(stiffness * touch.depth**1.5 * (1.0 + values["damping"] * touch.rate), 0.0)
     sliding = np.hypot(touch.sliding_y, touch.sliding_z)
     drag = values["friction"] * normal * np.tanh(sliding / 0.01) / sliding if sliding else 0.0 * normal

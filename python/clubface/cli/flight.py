@@ -20,8 +20,8 @@ def flight(**texts: Any) -> None:
     """Compute where a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball
     from clubface.equipment.described import HANDS
-    from clubface.simulation.flight_result import flight_result
     from clubface.simulation.results import outputs
+    from clubface.simulation.shot_result import flight_result
     from clubface.support.checks import check_choice
 
     output = show.Output.check(texts, [texts["ball"]])

@@ -15,7 +15,7 @@ from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, Wording
 from clubface.simulation.differentiable import Differentiable, FlightFunction, LaunchFunction
-from clubface.simulation.flight import AXES, BALL, AirLike, GroundLike, WindLike, conditions
+from clubface.simulation.flight import AXES, BALL, AirLike, GroundLike, WindLike, conditions, parse_input
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import (
     OF_CLUB,
@@ -27,15 +27,13 @@ from clubface.simulation.inputs import (
     head_of,
     point_of,
 )
-from clubface.simulation.launch import vectors
+from clubface.simulation.launch import MONITOR, components, vectors
 from clubface.simulation.pose import Head, Pose, delivery_of_pose, pose_of_delivery, repeated
 from clubface.simulation.results import flight_inputs, outputs as launch_outputs
 from clubface.simulation.spin import SPINS
 from clubface.support.checks import check_names
 
 Array = TypeVar("Array")
-TERMS = ("ball_speed", "launch", "azimuth", *SPINS)
-"""The terms of a launch monitor in which a launch may be given as arrays of a library."""
 
 
 class ArrayFunctions(ABC, Generic[Array]):
@@ -294,18 +292,13 @@ class ArrayFunctions(ABC, Generic[Array]):
         rest = {name: 0.0 if name in arrays else value for name, value in given.items()}
         inputs_of_flight = {name: each.default for name, each in flight_inputs().items()} | ball_named(ball).inputs()
         inputs_of_flight |= vectors(rest) | conditions(groups["air"], groups["wind"], groups["ground"])
-        columns = {
-            name: value
-            if isinstance(value, float)
-            else units.parse_values(value, flight_inputs()[name].dimension, name=name)
-            for name, value in inputs_of_flight.items()
-        }
+        columns = {name: parse_input(value, name) for name, value in inputs_of_flight.items()}
         return FlightFunction(columns, arrays, **options), list(arrays.values())
 
     def _vectors(self, terms: Mapping[str, Any]) -> dict[str, Any]:
         """Return velocity and spin of a launch in the terms of a launch monitor, as :func:`vectors` does by numbers."""
         xp = self.xp
-        check_names("launch value", terms, (*TERMS, *BALL))
+        check_names("launch value", terms, (*MONITOR, *BALL))
         spins = [name for name in SPINS if name in terms]
         if spins and not set(spins) <= {"backspin", "sidespin"} and spins != ["total_spin", "spin_axis"]:
             raise InputError("spin", Wording(", ".join(spins)), "backspin and sidespin, or total_spin and spin_axis")
@@ -326,12 +319,4 @@ class ArrayFunctions(ABC, Generic[Array]):
             axis = parsed["spin_axis"]
             parsed |= {"backspin": parsed["total_spin"] * xp.cos(axis), "sidespin": parsed["total_spin"] * xp.sin(axis)}
         backspin, sidespin = parsed.get("backspin", zero), parsed.get("sidespin", zero)
-        return {
-            **given,
-            "velocity_x": speed * xp.cos(launch) * xp.cos(azimuth),
-            "velocity_y": speed * xp.sin(launch),
-            "velocity_z": speed * xp.cos(launch) * xp.sin(azimuth),
-            "spin_x": -backspin * xp.sin(azimuth),
-            "spin_y": -sidespin,
-            "spin_z": backspin * xp.cos(azimuth),
-        }
+        return given | components(xp, speed, launch, azimuth, backspin, sidespin)

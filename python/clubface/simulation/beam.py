@@ -200,12 +200,7 @@ class Modes(NamedTuple):
         return motion
 
     def advance(
-        self,
-        displacement: NDArray[Any],
-        velocity: NDArray[Any],
-        start: NDArray[Any],
-        end: NDArray[Any],
-        step: float,
+        self, displacement: NDArray[Any], velocity: NDArray[Any], start: NDArray[Any], end: NDArray[Any], step: float
     ) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return modal displacements and velocities after a step [s] in which modal forces change linearly; exact."""
         phase = self.frequency * step
@@ -223,40 +218,18 @@ class Modes(NamedTuple):
         )
 
 
-def modes(
-    beam: Beam,
-    head: NDArray[Any],
-    tip: NDArray[Any],
-    axis: NDArray[Any],
-    *,
-    elements: int = ELEMENTS,
-) -> Modes:
-    """Return the modes of a head on a beam.
+def modes(beam: Beam, head: NDArray[Any], tip: NDArray[Any], axis: NDArray[Any], *, elements: int = ELEMENTS) -> Modes:
+    """Return the modes of a head on a beam of about so many ``elements``.
 
-    Parameters
-    ----------
-    beam
-        The beam.
-    head
-        Spatial inertia of the free head about its CG, in its axes, shape (6, 6).
-    tip
-        Vector from the CG to the tip of the beam, in the axes of the head [m].
-    axis
-        Direction of the beam from tip to butt, in the axes of the head.
-    elements
-        About how many elements there are.
+    In the axes of the head ``head`` is its free spatial inertia about its CG, shape (6, 6), ``tip`` the vector from the
+    CG to the tip of the beam [m], and ``axis`` the direction of the beam from tip to butt.
     """
     squares, vectors = natural_modes(*head_on_beam(beam, head, tip, axis, elements=elements))
     return Modes(np.sqrt(np.maximum(squares, 0.0)), vectors[:6])
 
 
 def head_on_beam(
-    beam: Beam,
-    head: NDArray[Any],
-    tip: NDArray[Any],
-    axis: NDArray[Any],
-    *,
-    elements: int = ELEMENTS,
+    beam: Beam, head: NDArray[Any], tip: NDArray[Any], axis: NDArray[Any], *, elements: int = ELEMENTS
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return stiffness and mass of a head on a beam, without what the grip holds; the parameters are those of modes.
 

@@ -16,7 +16,6 @@ from clubface._core import (
     outputs as outputs,
     pressure_at_altitude as pressure_at_altitude,
     sensitivities as sensitivities,
-    sensitivity as sensitivity,
     shot_shape_names as shot_shape_names,
     shot_shapes as shot_shapes,
     trajectory as trajectory,

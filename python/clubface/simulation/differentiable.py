@@ -18,7 +18,7 @@ import numpy as np
 
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import Model, reduced_model
+from clubface.equipment.models import reduced_model
 from clubface.errors import InputError, Wording
 from clubface.simulation import core
 from clubface.simulation.inputs import HandLike, check_on_error, equipped, shots, thread_count, tolerance
@@ -55,22 +55,13 @@ STENCIL = ((-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.
 class Differentiable(ABC):
     """A function of some variables, each row of the last axis a shot.
 
-    Attributes
-    ----------
-    variables
-        Names of the variables, in the order of the last axis of what it is called with.
-    outputs
-        Names of what it returns, in the order of the last axis.
-    places, rows
-        Where the variables are among the columns of the core, and the outputs among its outputs.
-    columns
-        The columns of the core, where a variable has any number in its place.
-    step, sizes
-        Of the differences that second derivatives are: the distance of their points is the step times the greater of a
-        variable and its least size.
-    once
-        What to do instead of differentiating twice; empty where second derivatives exist.
+    ``variables`` and ``outputs`` are the names of what it takes and returns, in the order of the last axis; ``places``
+    and ``rows`` are where they are among the columns and the outputs of the core. In ``columns`` any number stands for
+    a variable. The points of the differences that second derivatives are lie ``step`` times the greater of a variable
+    and its least size apart; where there are none, ``once`` says what to do instead.
     """
+
+    _names: tuple[str, ...]  # of the columns
 
     def __init__(
         self,
@@ -101,14 +92,11 @@ class Differentiable(ABC):
         self._check(problems, columns, shape, self._on_error)
         return np.moveaxis(computed[self.rows].reshape(-1, *shape), 0, -1)
 
-    def values_and_jacobian(self, x: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+    def values_and_jacobian(self, x: NDArray[Any], *, on_error: str = "") -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the outputs and their derivatives, shape (..., outputs, variables)."""
-        return self._values_and_jacobian(x, self._on_error)
-
-    def _values_and_jacobian(self, x: NDArray[Any], on_error: str) -> tuple[NDArray[Any], NDArray[Any]]:
         columns, shape = self._laid_out(x)
         computed, problems = self._differentiate(columns, math.prod(shape))
-        self._check(problems, columns, shape, on_error)
+        self._check(problems, columns, shape, on_error or self._on_error)
         table = computed.reshape(len(self.rows), 1 + len(self.places), *shape)
         table = np.ascontiguousarray(np.moveaxis(table, (0, 1), (-2, -1)))
         return table[..., 0], table[..., 1:]
@@ -126,7 +114,7 @@ class Differentiable(ABC):
         shifts = np.array([place for place, _ in STENCIL])[:, None, None] * np.eye(width)
         axes = (1,) * (x.ndim - 1)
         moved = x + shifts.reshape(len(STENCIL), width, *axes, width) * step
-        _, jacobian = self._values_and_jacobian(moved, "nan")
+        _, jacobian = self.values_and_jacobian(moved, on_error="nan")
         weights = np.array([weight for _, weight in STENCIL])
         differences = np.moveaxis(np.tensordot(weights, jacobian, 1), 0, -1) / step[..., None, None, :]
         return 0.5 * (differences + np.swapaxes(differences, -1, -2))
@@ -150,13 +138,8 @@ class Differentiable(ABC):
     def _check(self, problems: Any, columns: Sequence[Any], shape: tuple[int, ...], on_error: str) -> None:
         if problems and on_error == "raise":
             row, name, _ = problems[0]
-            names = self._names()
-            value = columns[names.index(name)] if name in names else None
+            value = columns[self._names.index(name)] if name in self._names else None
             raise first_error(problems, value if isinstance(value, float | None) else float(value[row]), shape)
-
-    @abstractmethod
-    def _names(self) -> Sequence[str]:
-        """Return the names of the columns."""
 
     @abstractmethod
     def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
@@ -168,15 +151,7 @@ class Differentiable(ABC):
 
 
 class LaunchFunction(Differentiable):
-    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`.
-
-    Attributes
-    ----------
-    club, ball
-        What meets.
-    accuracy
-        Tolerance of a step of a contact, None for the fast setting.
-    """
+    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`."""
 
     def __init__(
         self,
@@ -208,24 +183,19 @@ class LaunchFunction(Differentiable):
         given = {**values, **{name: 1.0 for name in variables if name in inputs()}}
         fixed = [*shots(setup, given, hand=hand).columns, *chosen.columns()]
         self._width = len(inputs())
-        self._parameter_names = tuple(chosen.values)
+        self._names = (*inputs(), *chosen.values)
         rows = {name: row for row, name in enumerate(launch_outputs()) if name not in described.lacks}
-        is_contact = described.kind == "contact"
+        step, once = STEP, ""
+        if described.kind == "contact":
+            step = CONTACT_STEP
+            if model not in SMOOTH:
+                once = f"use a model in closed form, such as response: those of {model} are not smooth"
+            elif self.accuracy is None or self.accuracy > CONTACT_ACCURACY:
+                once = f"give accuracy={CONTACT_ACCURACY:g} or less: those of {model} need it"
         super().__init__(
-            {name: known[name] for name in variables}, _rows("output", outputs, rows), fixed, thread_count(threads),
-            on_error, CONTACT_STEP if is_contact else STEP, self._once_only(described) if is_contact else "",
+            {name: known[name] for name in variables}, _rows(outputs, rows), fixed, thread_count(threads), on_error,
+            step, once,
         )  # fmt: skip
-
-    def _once_only(self, model: Model) -> str:
-        """Return what to do where a contact model has no second derivatives."""
-        if model.name not in SMOOTH:
-            return f"use a model in closed form, such as response: those of {model.name} are not smooth"
-        if self.accuracy is None or self.accuracy > CONTACT_ACCURACY:
-            return f"give accuracy={CONTACT_ACCURACY:g} or less: those of {model.name} need it"
-        return ""
-
-    def _names(self) -> Sequence[str]:
-        return (*inputs(), *self._parameter_names)
 
     def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
         own, parameters = columns[: self._width], columns[self._width :]
@@ -252,18 +222,16 @@ class FlightFunction(Differentiable):
     ) -> None:
         check_on_error(on_error)
         known = {name: (place, each) for place, (name, each) in enumerate(flight_inputs().items())}
+        self._names = tuple(known)
         variables = tuple(variables)
         check_names("variable", variables, known)
-        rows = {name: row for row, name in enumerate(flight_outputs())}
-        columns = [values[name] for name in known]
-        chosen = {name: known[name] for name in variables}
-        wanted = _rows("output", outputs, rows)
+        wanted = _rows(outputs, {name: row for row, name in enumerate(flight_outputs())})
         rough = [name for name in wanted if name in ROUGH]
         once = f"leave {', '.join(rough)} out of the outputs: bounces make steps in them" if rough else ""
-        super().__init__(chosen, wanted, columns, thread_count(threads), on_error, STEP, once)
-
-    def _names(self) -> Sequence[str]:
-        return tuple(flight_inputs())
+        super().__init__(
+            {name: known[name] for name in variables}, wanted, [values[name] for name in known], thread_count(threads),
+            on_error, STEP, once,
+        )  # fmt: skip
 
     def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
         return core.fly(columns, count, self._threads, None)
@@ -272,9 +240,9 @@ class FlightFunction(Differentiable):
         return core.fly_sensitivities(columns, count, self.rows, self.places, self._threads, None)
 
 
-def _rows(what: str, names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:
+def _rows(names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:
     names = list(known) if names is None else [names] if isinstance(names, str) else list(names)
-    check_names(what, names, known)
+    check_names("output", names, known)
     return {name: known[name] for name in names}
 
 

@@ -7,10 +7,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 
-class Dual:
+class Dual(NDArrayOperatorsMixin):
     """A number with derivatives, for arithmetic, comparisons and functions of NumPy.
 
     Comparisons look at the value alone. Functions of ``math`` take no such numbers, and raise a TypeError.
@@ -24,65 +25,12 @@ class Dual:
     def __repr__(self) -> str:
         return f"Dual({self.value!r})"
 
-    def __add__(self, other: Any) -> Dual:
-        return _call(np.add, self, other)
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Dual:
-        return _call(np.subtract, self, other)
-
-    def __rsub__(self, other: Any) -> Dual:
-        return _call(np.subtract, other, self)
-
-    def __mul__(self, other: Any) -> Dual:
-        return _call(np.multiply, self, other)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> Dual:
-        return _call(np.divide, self, other)
-
-    def __rtruediv__(self, other: Any) -> Dual:
-        return _call(np.divide, other, self)
-
-    def __pow__(self, other: Any) -> Dual:
-        return _call(np.power, self, other)
-
-    def __rpow__(self, other: Any) -> Dual:
-        return _call(np.power, other, self)
-
-    def __neg__(self) -> Dual:
-        return Dual(-self.value, -self.tangent)
-
-    def __pos__(self) -> Dual:
-        return self
-
-    def __abs__(self) -> Dual:
-        return -self if self.value < 0.0 else self
-
     def __bool__(self) -> bool:
         return bool(self.value)
 
-    def __eq__(self, other: object) -> bool:
-        return self.value == _value(other)
-
-    def __lt__(self, other: Any) -> bool:
-        return self.value < _value(other)
-
-    def __le__(self, other: Any) -> bool:
-        return self.value <= _value(other)
-
-    def __gt__(self, other: Any) -> bool:
-        return self.value > _value(other)
-
-    def __ge__(self, other: Any) -> bool:
-        return self.value >= _value(other)
-
-    __hash__ = None  # pyright: ignore[reportAssignmentType]
-
     def __array_ufunc__(self, ufunc: Any, method: str, *given: Any, **options: Any) -> Any:
-        if method != "__call__" or options:
+        target = options.pop("out", ())  # of += and the like, which make a new number of a name
+        if method != "__call__" or options or not all(isinstance(each, Dual) for each in target):
             return NotImplemented
         if ufunc in _COMPARISONS:
             return ufunc(*map(_value, given))

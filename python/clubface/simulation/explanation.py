@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,6 +70,7 @@ class WhatIf(NamedTuple):
     flight: Flight
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class Explanation(Described):
     """Why a shot flies as it does.
 
@@ -92,19 +93,13 @@ class Explanation(Described):
         Air, wind and ground.
     """
 
-    def __init__(
-        self,
-        launch: Launch,
-        flight: Flight,
-        what_ifs: Mapping[str, WhatIf],
-        strikes: Mapping[str, WhatIf],
-        slopes: Mapping[tuple[str, str], float],
-        sweet_spot: WhatIf,
-        conditions: Mapping[str, Any],
-    ) -> None:
-        self.launch, self.flight, self.sweet_spot = launch, flight, sweet_spot
-        self.what_ifs, self.strikes, self.slopes = dict(what_ifs), dict(strikes), dict(slopes)
-        self.conditions = dict(conditions)
+    launch: Launch
+    flight: Flight
+    what_ifs: dict[str, WhatIf]
+    strikes: dict[str, WhatIf]
+    slopes: dict[tuple[str, str], float]
+    sweet_spot: WhatIf
+    conditions: dict[str, Any]
 
     @property
     def face_to_path(self) -> float:
@@ -484,19 +479,14 @@ def _tilted_ball(launch: Launch) -> Panel:
     ends = 1.25 * np.array([np.cos(tilt), -np.sin(tilt)])  # to the right, up: tilted right, the right end is down
     lift = np.array([np.sin(tilt), np.cos(tilt)])
     back = 1.0 if launch.backspin >= 0.0 else -1.0
+    axis_words, spin = _words("spin_axis", tilt, "sides"), _words("total_spin", launch.total_spin)
     marks = [
         Mark("line", [-1.25, 1.25], [0.0, 0.0], style=-1, dash=2, size=0.8),
         Mark("outline", np.cos(turn), np.sin(turn), style=-2),
         Mark("line", [-ends[0], ends[0]], [-ends[1], ends[1]], style=-2, size=2.0, dash=0),
         _arrow(np.zeros(2), 1.55 * back * lift, _FLIGHT),
         Mark("text", [1.75 * back * lift[0]], [1.75 * back * lift[1]], texts=["lift"], style=_FLIGHT),
-        Mark(
-            "text",
-            [0.0],
-            [-1.35],
-            texts=[f"axis {_words('spin_axis', tilt, 'sides')}, {_words('total_spin', launch.total_spin)}"],
-            style=-2,
-        ),
+        Mark("text", [0.0], [-1.35], texts=[f"axis {axis_words}, {spin}"], style=-2),
     ]
     blank = axis(limits=(-1.9, 1.9), ticks=False)
     return Panel(marks, blank, replace(blank, limits=(-1.6, 2.0)),

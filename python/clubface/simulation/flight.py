@@ -82,10 +82,7 @@ def ground_of(ground: str | Mapping[str, Any] | None) -> dict[str, Any]:
         return dict(GROUNDS[ground])
     if not isinstance(ground, Mapping):
         raise InputError("ground", ground, f"{', '.join(GROUNDS)}, or a mapping of values")
-    check_names(
-        "value of the ground", ground, [name for name, each in flight_inputs().items() if each.group == "ground"]
-    )
-    return {name: value for name, value in ground.items() if value is not None}
+    return _group("ground", ground, [name for name, each in flight_inputs().items() if each.group == "ground"])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -121,12 +118,11 @@ class Air:
         if self.altitude is not None:
             altitude = units.parse_values(self.altitude, "length", name="altitude")
             object.__setattr__(self, "altitude", altitude)
-            object.__setattr__(self, "pressure", _pressure(altitude))
-            self._check_altitude()
-
-    def _check_altitude(self) -> None:
-        """Refuse one altitude whose pressure a flight does not take; a bad one of many is reported with its flight."""
+            pressure = [core.pressure_at_altitude(each) for each in np.ravel(altitude).tolist()]
+            whole = pressure[0] if isinstance(altitude, float) else np.array(pressure).reshape(np.shape(altitude))
+            object.__setattr__(self, "pressure", whole)
         allowed = flight_inputs()["pressure"]
+        # One of many altitudes whose pressure a flight does not take is reported with its flight.
         if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
             limits = units.show_range(allowed.lower, allowed.upper, "hPa")
             text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
@@ -157,13 +153,6 @@ def air_of(values: Air | Mapping[str, Any] | None) -> Air:
     return Air(**values)
 
 
-def _pressure(altitude: Any) -> Any:
-    if isinstance(altitude, float):
-        return core.pressure_at_altitude(altitude)
-    flat = [core.pressure_at_altitude(each) for each in altitude.ravel().tolist()]
-    return np.array(flat, dtype=np.float64).reshape(altitude.shape)
-
-
 AXES = ("x", "y", "z")
 VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
 SPIN = tuple(f"spin_{axis}" for axis in AXES)
@@ -173,21 +162,11 @@ LEVEL = ("wind_speed", "wind_direction")
 
 
 class FlightColumns(NamedTuple):
-    """Flights as the core takes them.
+    """Flights as the core takes them."""
 
-    Attributes
-    ----------
-    columns
-        The inputs by name, in the order of the core: a number, or an array of the flights, flat.
-    shape
-        The shape the inputs broadcast to; () for a single flight.
-    varied
-        The inputs given as arrays, by name, not broadcast; those of a :class:`Launch` stay with it.
-    """
-
-    columns: dict[str, Any]
-    shape: tuple[int, ...]
-    varied: dict[str, NDArray[Any]]
+    columns: dict[str, Any]  # the inputs by name, in the order of the core: a number, or an array of the flights, flat
+    shape: tuple[int, ...]  # to which the inputs broadcast; () for a single flight
+    varied: dict[str, NDArray[Any]]  # the inputs given as arrays, not broadcast; those of a launch stay with it
 
 
 def flight_columns(
@@ -211,7 +190,7 @@ def flight_columns(
     parsed: dict[str, Any] = {name: each.default for name, each in inputs.items()} | ball().inputs()
     varied: dict[str, NDArray[Any]] = {}
     for name, value in given.items():
-        value = _parsed(value, name)
+        value = parse_input(value, name)
         if not isinstance(value, float):
             value = varied[name] = np.asarray(value, dtype=np.float64)
         parsed[name] = value
@@ -231,7 +210,7 @@ def conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None)
     """Return the inputs of a flight that air, wind and ground give [SI], by name."""
     blowing = _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
     given = {**air_of(air).values(), **blowing, **ground_of(ground)}
-    return {name: _parsed(value, name) for name, value in given.items()}
+    return {name: parse_input(value, name) for name, value in given.items()}
 
 
 def check_conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> None:
@@ -245,7 +224,9 @@ def check_conditions(air: AirLike | None, wind: Any, ground: GroundLike | None =
             raise InputError(name, units.show(value, allowed.unit), f"from {range_}")
 
 
-def _parsed(value: Any, name: str) -> Any:
+def parse_input(value: Any, name: str) -> Any:
+    """Return an input of a flight [SI], a number or an array; text is converted from its unit."""
+    """Return an input of a flight [SI], a number or an array."""
     return value if type(value) is float else units.parse_values(value, flight_inputs()[name].dimension, name=name)
 
 

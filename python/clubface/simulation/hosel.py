@@ -147,19 +147,13 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
         own = rotation.T @ spin
         return 0.5 * float(own @ inertia @ own)
 
-    return HoselReaction(
-        impulse,
-        moment - np.cross(point, impulse),
-        point,
-        contact_time,
-        0.5 * mass * float(club_after @ club_after - pose.velocity @ pose.velocity)
-        + turning(end, spin_after)
-        - turning(start, pose.angular_velocity),
-        float(relative + (start.T @ pose.velocity) @ impulse),
-        0.5 * ball_mass * float(ball_velocity @ ball_velocity)
-        + 0.5 * ball_inertia * float(ball_spin @ ball_spin - ball_before @ ball_before),
-        launch,
-    )
+    moving = 0.5 * mass * float(club_after @ club_after - pose.velocity @ pose.velocity)
+    head_energy = moving + turning(end, spin_after) - turning(start, pose.angular_velocity)
+    ball_energy = 0.5 * ball_mass * float(ball_velocity @ ball_velocity)
+    ball_energy += 0.5 * ball_inertia * float(ball_spin @ ball_spin - ball_before @ ball_before)
+    shaft_energy = float(relative + (start.T @ pose.velocity) @ impulse)
+    moment = moment - np.cross(point, impulse)
+    return HoselReaction(impulse, moment, point, contact_time, head_energy, shaft_energy, ball_energy, launch)
 
 
 def _rotation(turn: Any) -> Any:

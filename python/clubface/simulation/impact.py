@@ -16,7 +16,7 @@ from clubface import units
 from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.balls import DEFAULT_BALL, Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL, Model, model as model_named, models
+from clubface.equipment.models import DEFAULT_MODEL, model as model_named, models
 from clubface.equipment.parameters import QUANTITIES, ParameterSet, ends_in_words
 from clubface.errors import InputError, RangeWarning
 from clubface.results.notes import Note
@@ -53,18 +53,11 @@ class Balls(NamedTuple):
 class Request(NamedTuple):
     """Shots to compute: a column an input and parameter, each a number or an array of ``size`` numbers.
 
-    Attributes
-    ----------
-    own
-        The ball as :meth:`Backend.balls` gave it.
-    club
-        As of :func:`clubface.club`; the inputs hold its values, some of which a shot may have changed.
-    on_error
-        As of :func:`clubface.impact`: with "nan", what goes wrong with one shot does not stop the others.
+    With ``on_error`` "nan", what goes wrong with one shot does not stop the others.
     """
 
-    own: Any
-    club: Any
+    own: Any  # the ball as :meth:`Backend.balls` gave it
+    club: Any  # the inputs hold its values, some of which a shot may have changed
     model: str
     inputs: Sequence[Any]
     parameters: Sequence[Any]
@@ -163,12 +156,11 @@ class Tally:
 
     def add(self, launch: Launch) -> None:
         """Count the shots of a launch."""
-        model = launch.model
-        self._shots[model] = self._shots.get(model, 0) + math.prod(launch.shape)
+        outside = []
         for name, (count, value) in _outside(launch).items():
             ends = ends_in_words(name, launch.parameters.range) if name in QUANTITIES else launch.ball.name
-            before = self._outside.get((model, name), (ends, 0, value))[1]
-            self._outside[model, name] = (ends, before + count, value)
+            outside.append((launch.model, name, ends, count, value))
+        self.add_counts([{launch.model: math.prod(launch.shape)}, outside])
 
     def add_all(self, launches: Iterable[Launch]) -> Tally:
         """Count the shots of several launches; return the tally itself."""
@@ -232,9 +224,8 @@ class Tally:
 
 def warn_if_outside(launches: Iterable[Launch]) -> None:
     """Warn as a tally of the launches does."""
-    if is_silent(RangeWarning):
-        return
-    Tally().add_all(launches).warn()
+    if not is_silent(RangeWarning):
+        Tally().add_all(launches).warn()
 
 
 def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
@@ -251,17 +242,16 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
             out &= launch.ball_speed.reshape(-1) > 0.0  # a shot that cannot be computed has its own message
             if out.any():
                 result[name] = (int(out.sum()), float(value[out][0]))
-    described = model_named(launch.model)
-    if not described.gear_effect and _any(launch.input("toe"), launch.input("high")):
-        result[OFF_CENTRE] = (1, 0.0)
-    if described.ball and launch.parameters.unchosen and _is_of_other_pieces(launch.ball, described):
+    described, ball = model_named(launch.model), launch.ball
+    if not described.gear_effect:
+        place = launch.input("toe"), launch.input("high")
+        if any(value != 0.0 if type(value) is float else bool((value != 0.0).any()) for value in place):
+            result[OFF_CENTRE] = (1, 0.0)
+    # The ball is known to differ from that of the coefficients, and has none of its own.
+    other = ball.construction is not None and ball.name != described.ball and described.name not in ball.parameters
+    if described.ball and launch.parameters.unchosen and other:
         result[OTHER_BALL] = (1, 0.0)
     return result
-
-
-def _is_of_other_pieces(ball: Ball, model: Model) -> bool:
-    """Return whether a ball is known to differ from that of a model's coefficients, and has none of its own."""
-    return ball.construction is not None and ball.name != model.ball and model.name not in ball.parameters
 
 
 def _value(launch: Launch, name: str) -> Any:
@@ -289,10 +279,6 @@ def _incidence(launch: Launch, limit: float) -> Any:
     cosine = np.cos(attack) * np.cos(loft) * np.cos(sideways) + np.sin(attack) * np.sin(loft)
     angle = np.arccos(np.clip(cosine, -1.0, 1.0))
     return angle if np.ndim(angle) else float(angle)
-
-
-def _any(*values: Any) -> bool:
-    return any(value != 0.0 if type(value) is float else bool((value != 0.0).any()) for value in values)
 
 
 ALL = "all"

@@ -98,8 +98,7 @@ class Delivery:
 
     def replace(self, **changes: Any) -> Self:
         """Return the delivery with some values changed."""
-        names = [each.name for each in fields(self)]
-        check_names("delivery value", changes, names)
+        check_names("delivery value", changes, [each.name for each in fields(self)])
         return replace(self, **changes)
 
     @classmethod
@@ -159,13 +158,12 @@ class Delivery:
         from clubface.simulation.pose import Pose, delivery_of_pose
 
         turn = _rotation(rotation)
-        vectors = {
-            "position": _vector(position, "position", "length"),
-            "velocity": _vector(velocity, "velocity", "speed"),
-            "angular_velocity": _vector(angular_velocity, "angular_velocity", "angular rate"),
-            "ball_position": _vector(ball_position, "ball_position", "length"),
-            "ball_angular_velocity": _vector(ball_angular_velocity, "ball_angular_velocity", "angular rate"),
-        }
+        given = {
+            "position": (position, "length"), "velocity": (velocity, "speed"),
+            "angular_velocity": (angular_velocity, "angular rate"), "ball_position": (ball_position, "length"),
+            "ball_angular_velocity": (ball_angular_velocity, "angular rate"),
+        }  # fmt: skip
+        vectors = {name: _vector(value, name, dimension) for name, (value, dimension) in given.items()}
         common_shape(
             {name: each[..., 0] for name, each in vectors.items()}
             | {"rotation": turn[..., 0] if turn.shape[-1] == 4 else turn[..., 0, 0]}
@@ -180,8 +178,8 @@ class Delivery:
             allowed = "within 1 ms of first touch at the velocities given, and the head moving towards the ball"
             raise InputError("position", Wording(f"a pose {first} from first touch"), allowed)
         spins = dict(zip(BALL_SPINS, (ball_spin[..., 2], -ball_spin[..., 1], ball_spin[..., 0]), strict=True))
-        given = {**touch.values, **(spins if ball_spin.any() else {})}
-        return cls(**{name: value if np.ndim(value) else float(value) for name, value in given.items()})
+        values = {**touch.values, **(spins if ball_spin.any() else {})}
+        return cls(**{name: value if np.ndim(value) else float(value) for name, value in values.items()})
 
     def pose(
         self,
@@ -216,21 +214,15 @@ HandLike = ValueLike
 """The hand of a club: "right" or 1, "left" or -1, or an array of these numbers."""
 
 
-OF_CLUB = {
-    "speed": "speed", "attack": "angle", "path": "angle", "loft": "angle", "face": "angle", "lie": "angle",
-    "toe": "length", "high": "length", "closure": "angular rate", "pitch_rate": "angular rate",
-    "lie_rate": "angular rate",
-}  # fmt: skip
-"""The dimension of each value of a delivery that the club has, in the order of the core."""
-DIMENSIONS = {
-    **OF_CLUB, "ball_backspin": "angular rate", "ball_sidespin": "angular rate", "ball_riflespin": "angular rate",
-}  # fmt: skip
+DIMENSIONS = {name: each.dimension for name, each in inputs().items() if each.group == "delivery"}
 """The dimension of each value of a delivery, in the order of the core."""
+BALL_SPINS = ("ball_backspin", "ball_sidespin", "ball_riflespin")
+OF_CLUB = {name: dimension for name, dimension in DIMENSIONS.items() if name not in BALL_SPINS}
+"""The same of those that the club has."""
 UNITS = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
 """The unit in which each dimension of a delivery is read and written."""
 DELIVERY_QUANTITIES = {name: PhysicalValue(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
 """The kind of each value of a delivery in a file."""
-BALL_SPINS = tuple(name for name in DIMENSIONS if name not in OF_CLUB)
 LONGEST_ADVANCE = 1e-3
 """How long a head may move on to first touch [s]: a millisecond of a swing is 45 mm, along which nothing bends yet."""
 NOT_ORTHOGONAL = 1e-6
@@ -244,10 +236,9 @@ class Correlation:
     """A correlation between two values of a delivery."""
 
     pair: tuple[str, str] = file_key(
-        Items(Choice(tuple(OF_CLUB)), 2, 2, 'two values of a delivery, as in ["loft", "attack"]'),
-        "the two values",
+        Items(Choice(tuple(OF_CLUB)), 2, 2, 'two values of a delivery, as in ["loft", "attack"]'), "the two values",
         name="of",
-    )
+    )  # fmt: skip
     value: float = file_key(
         PhysicalValue("1", above=-1, below=1, allowed="a number between -1 and 1"), "the correlation"
     )
@@ -257,19 +248,11 @@ _LOFT, _HAND = "loft", "hand"
 
 
 class Equipment(NamedTuple):
-    """A club and a ball.
-
-    Attributes
-    ----------
-    club, ball
-        As given.
-    columns
-        The inputs of a shot that is delivered with zeros at the static loft.
-    """
+    """A club and a ball."""
 
     club: Club
     ball: Ball
-    columns: tuple[float, ...]
+    columns: tuple[float, ...]  # the inputs of a shot that is delivered with zeros at the static loft
 
 
 def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
@@ -277,14 +260,9 @@ def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
     from clubface.simulation.pose import Head
 
     values = dict(zip(inputs(), setup.columns, strict=True))
-    return Head(
-        (values["cg_x"], values["cg_y"], values["cg_z"]),
-        values["static_loft"],
-        values["bulge"],
-        values["roll"],
-        values["ball_radius"],
-        values[_HAND] if hand is None else hand_value(hand),
-    )
+    cg = values["cg_x"], values["cg_y"], values["cg_z"]
+    hand = values[_HAND] if hand is None else hand_value(hand)
+    return Head(cg, values["static_loft"], values["bulge"], values["roll"], values["ball_radius"], hand)
 
 
 def point_of(head: Head, point: Any) -> NDArray[Any]:
@@ -328,28 +306,14 @@ def _rotation(value: Any) -> NDArray[Any]:
 
 
 class Shots(NamedTuple):
-    """Shots as the core takes them.
-
-    Attributes
-    ----------
-    club, ball
-        The club and the ball.
-    columns
-        One an input: a number, or an array of the shots, flat.
-    shape
-        The shape the inputs broadcast to; () for a single shot.
-    varied
-        The inputs and parameters given as arrays, by name, not broadcast.
-    loft_assumed
-        Whether no dynamic loft was given, so that the static loft is taken for it.
-    """
+    """Shots as the core takes them."""
 
     club: Club
     ball: Ball
-    columns: list[Any]
-    shape: tuple[int, ...]
-    varied: dict[str, NDArray[Any]]
-    loft_assumed: bool = False
+    columns: list[Any]  # one an input: a number, or an array of the shots, flat
+    shape: tuple[int, ...]  # to which the inputs broadcast; () for a single shot
+    varied: dict[str, NDArray[Any]]  # the inputs and parameters given as arrays, by name, not broadcast
+    loft_assumed: bool = False  # whether no dynamic loft was given, so that the static loft is taken for it
 
 
 class Prepared(NamedTuple):
@@ -387,12 +351,8 @@ def prepare(
 ) -> Prepared:
     """Return shots as a model takes them; the arguments are those of :func:`clubface.impact`.
 
-    Parameters
-    ----------
-    outputs
-        Numbers that are computed of each shot, for which there must be memory.
-    single
-        What is computed of a single shot alone, in words; arrays are refused.
+    ``outputs`` are the numbers that are computed of each shot, for which there must be memory. What is computed of a
+    ``single`` shot alone, as it is called, refuses arrays.
     """
     setup, chosen = equipped(model_name, club, ball, parameters)
     laid_out = shots(setup, values, hand=hand)
@@ -410,21 +370,20 @@ def equipment(
     """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
     ball_or_name = getattr(ball_or_name, "rigid", ball_or_name)
     if is_path(club_or_name) or is_path(ball_or_name):
-        return _equip(club(club_or_name), ball(ball_or_name))
+        return _equip(club_or_name, ball_or_name)
     try:
         return _kept(club_or_name, ball_or_name)
     except TypeError:
         raise InputError("club", club_or_name, "a name, the path of a TOML file or a Club") from None
 
 
-@lru_cache(maxsize=256)
-def _kept(club_or_name: str | Club, ball_or_name: str | Ball | None) -> Equipment:
-    return _equip(club(club_or_name), ball(ball_or_name))
+def _equip(club_or_name: Any, ball_or_name: Any) -> Equipment:
+    made, made_ball = club(club_or_name), ball(ball_or_name)
+    values = {**made.inputs(), **made_ball.inputs(), _LOFT: made.loft}
+    return Equipment(made, made_ball, tuple(values.get(name, 0.0) for name in inputs()))
 
 
-def _equip(club: Club, ball: Ball) -> Equipment:
-    values = {**club.inputs(), **ball.inputs(), _LOFT: club.loft}
-    return Equipment(club, ball, tuple(values.get(name, 0.0) for name in inputs()))
+_kept = lru_cache(maxsize=256)(_equip)
 
 
 def equipped(
@@ -436,15 +395,10 @@ def equipped(
     """Return club and ball as a model takes them, and its parameters; ``given`` is as for :func:`parameter_set`."""
     if given is None and not (is_path(club_or_name) or is_path(ball_or_name)):
         try:
-            return _usual(model_name, club_or_name, ball_or_name)
+            return _usual(model_name, club_or_name, ball_or_name, None)
         except TypeError:
             pass  # not hashable, and so no club or ball: the message below says which
     return _equipped(model_name, club_or_name, ball_or_name, given)
-
-
-@lru_cache(maxsize=256)
-def _usual(model_name: str, name: str | Club, ball_or_name: str | Ball | None) -> tuple[Equipment, ParameterSet]:
-    return _equipped(model_name, name, ball_or_name, None)
 
 
 def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tuple[Equipment, ParameterSet]:
@@ -454,6 +408,9 @@ def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tupl
         columns = chosen.with_included_face(dict(zip(inputs(), setup.columns, strict=True)))
         setup = setup._replace(columns=tuple(columns.values()))
     return setup, chosen
+
+
+_usual = lru_cache(maxsize=256)(_equipped)
 
 
 def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None = None) -> Shots:
@@ -528,9 +485,8 @@ def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outpu
             return value
         return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
 
-    return shots._replace(columns=[flat(each) for each in shots.columns], shape=shape, varied=varied), [
-        flat(each) for each in parameters
-    ]
+    columns = [flat(each) for each in shots.columns]
+    return shots._replace(columns=columns, shape=shape, varied=varied), [flat(each) for each in parameters]
 
 
 def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
@@ -551,19 +507,18 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     to values that changes the published set.
     """
     chosen = _chosen(model_name, of_club.parameters, given)
-    return chosen if of_ball is None else chosen.of_ball(of_ball.name, _values_of(of_ball, chosen))
+    if of_ball is None:
+        return chosen
+    # The values that belong to a ball: its own for the model, and its friction where no shots gave another.
+    takes_friction = "friction" in chosen.values and not chosen.includes_face and of_ball.friction is not None
+    friction: Any = {"friction": of_ball.friction} if takes_friction else {}
+    return chosen.of_ball(of_ball.name, {**friction, **of_ball.parameters.get(model_name, {})})
 
 
 def forget_parameters() -> None:
     """Forget what is kept of parameters, since those of a model have changed."""
     _published.cache_clear()
     _usual.cache_clear()
-
-
-def _values_of(ball: Ball, chosen: ParameterSet) -> dict[str, float]:
-    """Return the values that belong to a ball: its own for the model, and its friction where no shots gave another."""
-    takes_friction = "friction" in chosen.values and not chosen.includes_face and ball.friction is not None
-    return {**({"friction": ball.friction} if takes_friction else {}), **ball.parameters.get(chosen.model, {})}  # pyright: ignore[reportReturnType]
 
 
 def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:

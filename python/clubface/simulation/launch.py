@@ -206,14 +206,10 @@ def variant_caveats(parameters: ParameterSet) -> tuple[Note, ...]:
 
 def rigid_faces(launches: Mapping[str, Launch]) -> tuple[Note, ...]:
     """Return the note that names the launches with a rigid face, if the face of others gives."""
-    rigid = [name for name, each in launches.items() if not _gives(each)]
+    # A face gives by its characteristic time or that of the parameters, or as a mesh that is hit.
+    rigid = [name for name, each in launches.items() if not np.any(each.input("characteristic_time"))
+             and not (each.model in MODULES and hasattr(each.club, "head"))]  # fmt: skip
     return (note("rigid-faces", names=rigid),) if 0 < len(rigid) < len(launches) else ()
-
-
-def _gives(launch: Launch) -> bool:
-    """Return whether the face gives: by its characteristic time or that of the parameters, or as a mesh that is hit."""
-    meshed = launch.model in MODULES and hasattr(launch.club, "head")
-    return meshed or bool(np.any(launch.input("characteristic_time")))
 
 
 def computed_with(
@@ -329,12 +325,15 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     backspin, sidespin, assumed = parts({name: terms[name] for name in SPINS if name in terms})
     if assumed:
         warn_once(assumed, AssumptionWarning)
-    result = {
-        "velocity_x": speed * np.cos(launch) * np.cos(azimuth),
-        "velocity_y": speed * np.sin(launch),
-        "velocity_z": speed * np.cos(launch) * np.sin(azimuth),
-        "spin_x": -backspin * np.sin(azimuth),
-        "spin_y": -sidespin,
-        "spin_z": backspin * np.cos(azimuth),
-    }
+    result = components(np, speed, launch, azimuth, backspin, sidespin)
     return {name: value if getattr(value, "ndim", 0) else float(value) for name, value in result.items()}
+
+
+def components(xp: Any, speed: Any, launch: Any, azimuth: Any, backspin: Any, sidespin: Any) -> dict[str, Any]:
+    """Return velocity and spin of a launch as :func:`vectors` defines them, computed by the array library ``xp``."""
+    level = speed * xp.cos(launch)
+    return {
+        "velocity_x": level * xp.cos(azimuth), "velocity_y": speed * xp.sin(launch),
+        "velocity_z": level * xp.sin(azimuth), "spin_x": -backspin * xp.sin(azimuth), "spin_y": -sidespin,
+        "spin_z": backspin * xp.cos(azimuth),
+    }  # fmt: skip

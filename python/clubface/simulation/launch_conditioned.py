@@ -138,18 +138,8 @@ def solve_angles(directions: Directions, begin: Floats, wanted: Floats, resoluti
     """Return the lofts, or lofts and face angles, with which shots start as wanted; NaN where none is in reach.
 
     Every shot goes its own way by Broyden's method, which for the loft alone is that of secants; a shot that has
-    arrived is not computed again.
-
-    Parameters
-    ----------
-    directions
-        The model.
-    begin
-        Where the search begins [rad], shape (1 or 2, shots).
-    wanted
-        Launch angles, or launch angles and azimuths [rad], same shape.
-    resolution
-        How closely they are to be met [rad].
+    arrived is not computed again. The search begins at ``begin`` [rad], shape (1 or 2, shots), and meets the launch
+    angles, or launch angles and azimuths, that are ``wanted`` [rad] up to ``resolution``.
     """
     count, shots = begin.shape
     limits = LIMITS[:count, :, None]

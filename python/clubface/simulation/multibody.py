@@ -181,37 +181,25 @@ class SteppedContact:
         hand: HandLike | None = None,
     ) -> None:
         given, self._error = _prepared(model, club, ball, parameters, hand)
-        self._held = self._call(lambda: core.ContactHandle(*given, head_values(head), ball_values(ball_motion)))
+        self._held = _call(core.ContactHandle, self._error, *given, head_values(head), ball_values(ball_motion))
         self.names = tuple(self._held.names)
         self.initial = self._held.initial
 
-    def _call(self, computation: Callable[[], Any]) -> Any:
-        try:
-            return computation()
-        except ValueError as error:
-            raise self._error(error) from None
+    def _call(self, computation: Callable[..., Any], head: Any, ball_motion: Any, internal: Any) -> Any:
+        states = _array(internal, "internal", units.DIMENSIONLESS).tolist()
+        return _call(computation, self._error, head_values(head), ball_values(ball_motion), states)
 
     def evaluate(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> tuple[Wrench, Any]:
         """Return what acts now, and the rates of the internal states [SI], shape (internal states,).
 
         A function of the arguments alone: head, ball and states as at the beginning, at any other instant.
         """
-        given = (
-            head_values(head),
-            ball_values(ball_motion),
-            _array(internal, "internal", units.DIMENSIONLESS).tolist(),
-        )
-        wrench, rates = self._call(lambda: self._held.evaluate(*given))
+        wrench, rates = self._call(self._held.evaluate, head, ball_motion, internal)
         return Wrench.from_values(wrench), rates
 
     def jacobian(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> WrenchDerivatives:
         """Return what acts and the rates of the internal states with their exact derivatives."""
-        given = (
-            head_values(head),
-            ball_values(ball_motion),
-            _array(internal, "internal", units.DIMENSIONLESS).tolist(),
-        )
-        rows = self._call(lambda: self._held.jacobian(*given))
+        rows = self._call(self._held.jacobian, head, ball_motion, internal)
         wrench, rates = rows[:15], rows[15:]
         return WrenchDerivatives(
             Wrench.from_values(wrench[:, 0]), rates[:, 0], Wrench.from_values(wrench[:, 1:]), rates[:, 1:]
@@ -219,12 +207,7 @@ class SteppedContact:
 
     def commit(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> Any:
         """Return the internal states with what the law remembers brought up to date: a step ends here."""
-        given = (
-            head_values(head),
-            ball_values(ball_motion),
-            _array(internal, "internal", units.DIMENSIONLESS).tolist(),
-        )
-        return self._call(lambda: self._held.commit(*given))
+        return self._call(self._held.commit, head, ball_motion, internal)
 
 
 class StruckBall:
@@ -275,18 +258,12 @@ class StruckBall:
     ) -> None:
         given, self._error = _prepared(model, club, ball, parameters, hand)
         start = ball_values(BallMotion(position, velocity, angular_velocity))
-        try:
-            self._held = core.BallHandle(*given, start, bool(head_gives_way))
-        except ValueError as error:
-            raise self._error(error) from None
+        self._held = _call(core.BallHandle, self._error, *given, start, bool(head_gives_way))
 
     def advance(self, head: Pose | Any, duration: Any) -> StepLoads:
         """Move the ball on by a duration [s], at most 0.1 s, while the head moves on from where it is now."""
-        given = head_values(head), float(units.parse(duration, "time", name="duration"))
-        try:
-            v = self._held.advance(*given)
-        except ValueError as error:
-            raise self._error(error) from None
+        step = float(units.parse(duration, "time", name="duration"))
+        v = _call(self._held.advance, self._error, head_values(head), step)
         return StepLoads(v[0:3], v[3:6], float(v[6]), float(v[7]))
 
     @property
@@ -315,6 +292,14 @@ def _prepared(
     return (model, shot.shots.columns, shot.parameters), shot.error
 
 
+def _call(computation: Callable[..., Any], translated: Callable[[ValueError], Exception], *given: Any) -> Any:
+    """Call the core, with its errors translated."""
+    try:
+        return computation(*given)
+    except ValueError as error:
+        raise translated(error) from None
+
+
 def head_values(head: Pose | Any) -> list[float]:
     """Return the 18 numbers by which the core knows a head: rotation row by row, place, velocity, angular velocity."""
     rotation, position, velocity, angular_velocity = head
@@ -334,15 +319,14 @@ def ball_values(motion: BallMotion | Any) -> list[float]:
 
 
 def _body(position: Any, velocity: Any, angular_velocity: Any) -> list[float]:
-    values = (
-        _array(position, "position", "length"),
-        _array(velocity, "velocity", "speed"),
-        _array(angular_velocity, "angular_velocity", "angular rate"),
-    )
-    for name, value in zip(("position", "velocity", "angular_velocity"), values, strict=True):
+    numbers: list[float] = []
+    for name, dimension, given in (("position", "length", position), ("velocity", "speed", velocity),
+                                   ("angular_velocity", "angular rate", angular_velocity)):  # fmt: skip
+        value = _array(given, name, dimension)
         if value.shape != (3,):
             raise InputError(name, Wording(f"of shape {value.shape}"), "of shape (3,)")
-    return [*values[0].tolist(), *values[1].tolist(), *values[2].tolist()]
+        numbers += value.tolist()
+    return numbers
 
 
 def _array(value: Any, name: str, dimension: str) -> NDArray[Any]:

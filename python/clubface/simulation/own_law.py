@@ -271,30 +271,23 @@ class OwnLaw:
         """Return None: :func:`clubface.history` returns more."""
         return None
 
-    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+    def history(self, model: str, given: list[float], parameters: list[float], accuracy: float | None) -> Any:
         """Follow one contact and keep it at evenly spaced times."""
         usual = [each.default for each in models()[CHECKED_BY].parameters]
-        _, problems = core.impact(CHECKED_BY, inputs, usual, 1, None, 1, None)
-        solved = problems[0][1:] if problems else self._solve(inputs, parameters, accuracy)
-        if isinstance(solved[0], str):
-            raise ValueError(*solved)
-        return {**sample_history(*solved), "launch": launch_outputs(*solved)}
+        _, problems = core.impact(CHECKED_BY, given, usual, 1, None, 1, None)
+        fault = problems[0][1:] if problems else _fault(given)
+        if fault is not None:
+            raise ValueError(*fault)
+        bodies = TwoBodies(dict(zip(inputs(), given, strict=True)), self.law, self._named(parameters), self.states)
+        try:
+            solution = bodies.run(accuracy or USUAL_TOLERANCE)
+        except UnfinishedContactError as error:
+            raise ValueError("model", f"{self.model.name}: {error}") from None
+        return {**sample_history(bodies, solution), "launch": launch_outputs(bodies, solution)}
 
     def notes(self) -> tuple[()]:
         """Return no note."""
         return ()
-
-    def _solve(self, given: list[float], values: list[float], accuracy: float | None) -> Any:
-        """Return both bodies and the solution, or the name of what is at fault and why."""
-        fault = _fault(given)
-        if fault is not None:
-            return fault
-        named = dict(zip(inputs(), given, strict=True))
-        bodies = TwoBodies(named, self.law, self._named(values), self.states)
-        try:
-            return bodies, bodies.run(accuracy or USUAL_TOLERANCE)
-        except UnfinishedContactError as error:
-            return "model", f"{self.model.name}: {error}"
 
 
 def _fault(given: Sequence[float]) -> tuple[str, str] | None:

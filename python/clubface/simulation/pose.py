@@ -25,28 +25,14 @@ ROUNDS = 6
 
 
 class Head(NamedTuple):
-    """What of club and ball decides where they touch.
+    """What of club and ball decides where they touch."""
 
-    Attributes
-    ----------
-    cg_to_face
-        From CG to face centre in the axes of the right-handed head [m].
-    static_loft
-        [rad].
-    bulge, roll
-        Radii of the face [m], infinite where it is flat.
-    ball_radius
-        [m].
-    hand
-        1 for a right-handed head, -1 for a left-handed one.
-    """
-
-    cg_to_face: Vector
-    static_loft: Any
-    bulge: Any
+    cg_to_face: Vector  # in the axes of the right-handed head [m]
+    static_loft: Any  # [rad]
+    bulge: Any  # radii of the face [m], infinite where it is flat
     roll: Any
-    ball_radius: Any
-    hand: Any
+    ball_radius: Any  # [m]
+    hand: Any  # 1 for a right-handed head, -1 for a left-handed one
 
 
 class Pose(NamedTuple):
@@ -96,20 +82,9 @@ def delivery_of_pose(
 ) -> Touch:
     """Return the delivery of a head, which moves on with constant velocities until it touches the ball.
 
-    Parameters
-    ----------
-    xp
-        The array library.
-    pose
-        The rotation may be a quaternion, shape (..., 4), real part first, of any length.
-    ball_position
-        Centre of the ball at rest [m], shape (..., 3).
-    head
-        Its geometry.
-    point
-        The point of the head that ``pose`` is of, from its CG in its own axes [m], shape (..., 3).
-    repeat
-        As :func:`repeated`, for a library that compiles loops.
+    ``xp`` is the array library; ``repeat`` does what :func:`repeated` does for one that compiles loops. The pose may
+    have a quaternion, shape (..., 4), real part first, of any length. ``ball_position`` is the centre of the ball at
+    rest [m], and ``point`` what the pose is of, from the CG of the head in its own axes [m].
     """
     hand = head.hand
     turn = _mirror_matrix(rotation_rows(pose.rotation), hand)
@@ -154,7 +129,7 @@ def delivery_of_pose(
 def pose_of_delivery(xp: Any, values: dict[str, Any], ball_position: Any, head: Head, point: Any) -> Pose:
     """Return where the head of a delivery is at first touch and how it moves; the parameters are as the other way."""
     hand = head.hand
-    turn = _attitude(xp, values["loft"], hand * values["face"], values["lie"], head.static_loft)
+    turn = attitude(xp, values["loft"], hand * values["face"], values["lie"], head.static_loft)
     speed, attack, path = values["speed"], values["attack"], hand * values["path"]
     velocity = (speed * xp.cos(attack) * xp.cos(path), speed * xp.sin(attack), speed * xp.cos(attack) * xp.sin(path))
     spin = (-values["lie_rate"], values["closure"], values["pitch_rate"])
@@ -168,7 +143,7 @@ def pose_of_delivery(xp: Any, values: dict[str, Any], ball_position: Any, head: 
     return Pose(rotation, _stack(xp, place), _stack(xp, moving), _stack(xp, _mirror_spin(spin, hand)))
 
 
-def _attitude(xp: Any, loft: Any, face: Any, lie: Any, static_loft: Any) -> Matrix:
+def attitude(xp: Any, loft: Any, face: Any, lie: Any, static_loft: Any) -> Matrix:
     """Return the rotation of a right-handed head from its own axes to those of the world, as the core builds it.
 
     Tilt by the lie, yaw the normal of the face back to azimuth 0, turn about z until its elevation is the dynamic loft,
@@ -203,7 +178,7 @@ def _rotation_by(spin: Vector, time: Any) -> Matrix:
     )
 
 
-def _circle(xp: Any, x: Any, y: Any, curvature: Any) -> Vector:
+def circle(xp: Any, x: Any, y: Any, curvature: Any) -> Vector:
     """Return the distance of (x, y) from a circle through the origin, and the unit normal there; 0 is a line."""
     radial = curvature * x + 1.0
     root = xp.sqrt(radial * radial + curvature * y * (curvature * y))
@@ -213,8 +188,8 @@ def _circle(xp: Any, x: Any, y: Any, curvature: Any) -> Vector:
 
 def _nearest(xp: Any, ball: Vector, head: Head) -> tuple[Any, Vector]:
     """Return the distance of a point from the face, and the outward normal at the face point nearest to it."""
-    x, along, across = _circle(xp, ball[0], ball[2], 1.0 / head.bulge)
-    distance, ahead, up = _circle(xp, x, ball[1], 1.0 / head.roll)
+    x, along, across = circle(xp, ball[0], ball[2], 1.0 / head.bulge)
+    distance, ahead, up = circle(xp, x, ball[1], 1.0 / head.roll)
     return distance, (ahead * along, up, ahead * across)
 
 

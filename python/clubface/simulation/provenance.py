@@ -22,16 +22,9 @@ from clubface.units import from_si, show, show_range
 def provenance_of(
     launches: Iterable[Launch], inputs: Mapping[str, str] | None = None, sources: Iterable[str] = ()
 ) -> Provenance:
-    """Return what ``launches`` were computed from.
+    """Return what ``launches``, whose deliveries, equipment and models count, were computed from.
 
-    Parameters
-    ----------
-    launches
-        Those whose deliveries, equipment and models count.
-    inputs
-        What else went in, in words, by name: "air", "golfer".
-    sources
-        Those of all but the launches.
+    ``inputs`` are what else went in, in words, by name ("air", "golfer"), ``sources`` those of all but the launches.
     """
     every = list(launches)
     computations = (
@@ -51,13 +44,7 @@ def provenance_of(
 def flight_conditions(
     air: AirLike | None = None, wind: WindLike | None = None, ground: GroundLike | None = None
 ) -> dict[str, str]:
-    """Return air, wind and ground of a flight in words, those that were not given among them.
-
-    Parameters
-    ----------
-    air, wind, ground
-        As for :func:`clubface.fly`; single values.
-    """
+    """Return air, wind and ground of a flight in words, those not given among them; single values as for ``fly``."""
     values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind, ground)
     altitude = air_of(air).altitude
     state = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]

@@ -26,30 +26,14 @@ if TYPE_CHECKING:
 
 
 class Variable(NamedTuple):
-    """One input or output of the core, in the order of its columns.
+    """One input or output of the core, in the order of its columns."""
 
-    Attributes
-    ----------
-    name
-        The name in keyword arguments and tables.
-    unit
-        The SI unit it is held in.
-    meaning
-        One line; says what positive means where there is a sign.
-    group
-        What an input belongs to: "delivery", "club", "ball", "parameters", "launch", "air" or "ground".
-    differentiable
-        Whether a launch can be differentiated with respect to it.
-    default, lower, upper
-        For an input of a flight: the value that is used if none is given (NaN if it must be given), and its limits.
-    """
-
-    name: str
-    unit: str
-    meaning: str
-    group: str = ""
-    differentiable: bool = False
-    default: float = math.nan
+    name: str  # in keyword arguments and tables
+    unit: str  # the SI unit it is held in
+    meaning: str  # one line; says what positive means where there is a sign
+    group: str = ""  # of an input: "delivery", "club", "ball", "parameters", "launch", "air" or "ground"
+    differentiable: bool = False  # whether a launch can be differentiated with respect to it
+    default: float = math.nan  # of an input of a flight; NaN if it must be given
     lower: float = -math.inf
     upper: float = math.inf
 
@@ -102,29 +86,16 @@ def in_unit(value: Any, quantity: Variable, unit: str) -> Any:
 
 
 def _read(entries: list[dict[str, Any]]) -> Mapping[str, Variable]:
-    result = {}
-    for entry in entries:
-        values = {key: entry[key] for key in Variable._fields if key in entry}
-        result[entry["name"]] = Variable(**values)
-    return Frozen(result)
+    known = Variable._fields
+    return Frozen({entry["name"]: Variable(**{key: entry[key] for key in known if key in entry}) for entry in entries})
 
 
 class ShotProblem(NamedTuple):
-    """Why one shot of a batch has no result.
+    """Why one shot of a batch has no result."""
 
-    Attributes
-    ----------
-    row
-        Its index in the batch.
-    parameter
-        The input at fault.
-    reason
-        Its value and what would have been accepted.
-    """
-
-    row: tuple[int, ...]
-    parameter: str
-    reason: str
+    row: tuple[int, ...]  # its index in the batch
+    parameter: str  # the input at fault
+    reason: str  # its value and what would have been accepted
 
 
 class Varied(NamedTuple):
@@ -392,11 +363,7 @@ def flattened(provenance: Mapping[str, Any], prefix: str = "") -> dict[str, str]
 
 def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Return the index in ``shape`` of the flat ``row``."""
-    index = []
-    for size in reversed(shape):
-        row, place = divmod(row, size)
-        index.append(place)
-    return tuple(reversed(index))
+    return tuple(map(int, np.unravel_index(row, shape)))
 
 
 def first_error(problems: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:

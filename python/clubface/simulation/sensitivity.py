@@ -23,7 +23,7 @@ from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, text
 from clubface.simulation import core
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, flight_columns, flight_error
-from clubface.simulation.impact import REDUCED, Parameters, Request, impact, warn_if_outside
+from clubface.simulation.impact import REDUCED, Parameters, Request, impact
 from clubface.simulation.inputs import (
     DeliveryLike,
     HandLike,
@@ -134,8 +134,7 @@ class Sensitivity(Presentable):
         check_names("variable", changes, self._columns)
         total: Any = 0.0
         for name, change in changes.items():
-            dimension = units.unit(self._columns[name].unit).dimension
-            value = units.parse_values(change, dimension, name=name)
+            value = units.parse_values(change, self._columns[name].dimension, name=name)
             total = total + self.si[:, self.variables.index(name)] * value
         return self._by_name(self.outputs, total)
 
@@ -205,7 +204,7 @@ class Sensitivity(Presentable):
                 ),
                 text("output", [output for output, _ in pairs], printed=False),
                 text("variable", [variable for _, variable in pairs], printed=False),
-                text("per", [self._per(variable) for _, variable in pairs], in_files=False),
+                text("per", [f"{each}, per {self._shown[each]}" for _, each in pairs], in_files=False),
                 text("of", [f"{each} {self._shown[each]}".removesuffix(" 1") for each, _ in pairs], in_files=False),
                 text("value", shown, digits=[4 if abs(each) < LEAST else -4 for each in shown]),
                 text("unit", [self.unit(*pair) for pair in pairs], printed=False),
@@ -237,9 +236,6 @@ class Sensitivity(Presentable):
                 if np.all(hand * slope < -LEAST * units.size(self._shown[output]) / units.size(self._shown[variable])):
                     notes.append(note(code, **{data: abs(float(np.mean(slope))) * step}))
         return notes
-
-    def _per(self, variable: str) -> str:
-        return f"{variable}, per {self._shown[variable]}"
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return one row a variable and one column an output, in the units shown, which stand in the labels.
@@ -358,49 +354,29 @@ def sensitivity(
     size = len(launch_outputs()) * (1 + len(across))
     prepared = prepare(model, club, values, ball, parameters, hand, outputs=size)
     shape = prepared.shots.shape
-    if shape or model in OWN:
-        launch = impact(
-            club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
-            on_error=on_error,
-        )  # fmt: skip
-        known_rows = _known_outputs(
-            [0.0 if np.isfinite(getattr(launch, name)).any() else math.nan for name in launch_outputs()]
-        )
-        rows = _chosen("output", outputs, known_rows)
-        chosen = [known_rows[name][0] for name in rows]
-        batch = Request(
-            None, prepared.shots.club, model, prepared.shots.columns, prepared.parameters, math.prod(shape), accuracy,
-            cores, progress, on_error,
-        )  # fmt: skip
-        computed, _ = (OWN[model].BACKEND if model in OWN else REDUCED).sensitivities(batch, chosen, places)
-        si = computed.reshape(len(rows), 1 + len(across), *shape)[:, 1:]
-    else:
-        try:
-            computed, jacobian = core.sensitivity(model, prepared.shots.columns, prepared.parameters, accuracy)
-        except ValueError as error:
-            raise prepared.error(error) from None
-        if not ADDED_NAMES.isdisjoint(across):
-            # One shot alone leaves them out of a free head; a batch has whatever is asked for.
-            table, _ = core.sensitivities(
-                model, prepared.shots.columns, prepared.parameters, 1, list(range(len(launch_outputs()))), places,
-                accuracy, cores, None,
-            )  # fmt: skip
-            jacobian[:, places] = table.reshape(len(launch_outputs()), 1 + len(across))[:, 1:]
-        known_rows = _known_outputs(computed)
-        rows = _chosen("output", outputs, known_rows)
-        si = jacobian[[known_rows[name][0] for name in rows]][:, places]
-        launch = Launch(computed.reshape(-1, 1), prepared.shots, model, prepared.chosen, accuracy)
-        warn_if_outside((launch,))
+    launch = impact(
+        club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
+        on_error=on_error if shape else "raise",
+    )  # fmt: skip
+    # Outputs that the model does not give are without a value.
+    known_rows = {name: (row, each) for row, (name, each) in enumerate(launch_outputs().items())
+                  if np.isfinite(getattr(launch, name)).any()}  # fmt: skip
+    rows = _chosen("output", outputs, known_rows)
+    batch = Request(
+        None, prepared.shots.club, model, prepared.shots.columns, prepared.parameters, math.prod(shape), accuracy,
+        cores, progress, on_error,
+    )  # fmt: skip
+    backend = OWN[model].BACKEND if model in OWN else REDUCED
+    computed, _ = backend.sensitivities(batch, [known_rows[name][0] for name in rows], places)
+    si = computed.reshape(len(rows), 1 + len(across), *shape)[:, 1:]
     row_quantities = {name: known_rows[name][1] for name in rows}
     column_quantities = {name: known_columns[name][1] for name in across}
-    shown = _shown_units({**row_quantities, **column_quantities}, units or {})
+    quantities, given = row_quantities | column_quantities, units or {}
+    check_names("output or variable", given, quantities)
+    shown = {name: _checked(each, given[name]) if name in given
+             else _SPEED if each.dimension == "speed" else display_unit(name, each.unit)
+             for name, each in quantities.items()}  # fmt: skip
     return Sensitivity(si, row_quantities, column_quantities, shown, launch)
-
-
-def _known_outputs(computed: Sequence[float] | NDArray[Any]) -> dict[str, tuple[int, Variable]]:
-    """Return row and quantity of the outputs the model gives; those without a value are left out."""
-    rows = enumerate(launch_outputs().items())
-    return {name: (row, each) for row, (name, each) in rows if computed[row] == computed[row]}
 
 
 def known_variables(model: str) -> dict[str, tuple[int, Variable]]:
@@ -422,17 +398,6 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
     if len(set(names)) < len(names):
         raise InputError(f"{what}s", names, "a list of different names")
     return names
-
-
-def _shown_units(quantities: Mapping[str, Variable], given: Mapping[str, str]) -> dict[str, str]:
-    check_names("output or variable", given, quantities)
-    shown = {}
-    for name, each in quantities.items():
-        if name in given:
-            shown[name] = _checked(each, given[name])
-        else:
-            shown[name] = _SPEED if each.dimension == "speed" else display_unit(name, each.unit)
-    return shown
 
 
 def _checked(quantity: Variable, symbol: str) -> str:

@@ -1,4 +1,4 @@
-"""One shot by one model or several as a result: its launch and flight, its picture, and what it was computed from."""
+"""A shot by one model or several as a result, or the flight of a known launch: values, notes, pictures, provenance."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from clubface.quantities import format_value, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
+from clubface.results.provenance import Provenance
 from clubface.results.result import Result
-from clubface.results.table import Column, Table, column, text
-from clubface.simulation.flight import Flight
+from clubface.results.table import Table, column, text
+from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly, has_measured_run, trajectory
 from clubface.simulation.impact import backend_of
 from clubface.simulation.inputs import HandLike
 from clubface.simulation.launch import Launch, assumptions_of, rigid_faces
@@ -25,6 +26,13 @@ QUANTITIES = (
     "curve", "total", "apex", "landing_angle", "contact_time", "peak_force",
 )  # fmt: skip
 """What is computed of a shot, in the order of its table."""
+OF_FLIGHT = (
+    "carry", "side", "curve", "total", "total_side", "apex", "landing_angle", "flight_time", "landing_speed",
+    "landing_spin",
+)  # fmt: skip
+"""What is computed of a flight of known launch, in the order of its table."""
+ENDS = ("soft", "firm")
+"""The fairways between which a total lies that no published run supports."""
 ONE_MODEL_ONLY = ("total_spin", "total", "apex", "landing_angle")
 """What the table of several models leaves out, so that it fits a terminal."""
 _LEAST_SIDE, _LEAST_HEIGHT = 0.06, 0.08
@@ -46,20 +54,18 @@ def shot_result(
 ) -> Result:
     """Return a shot as a result; launches and flights go by the name of the model.
 
-    Parameters
-    ----------
-    conditions
-        Air, wind and ground, as :func:`clubface.fly` takes them.
-    paths
-        Computes what the picture draws: positions of the ball in flight [m], shape [n, 3], and force histories of the
-        models that have one, by model.
+    ``conditions`` are air, wind and ground, as :func:`clubface.fly` takes them. ``paths`` computes what the picture
+    draws: positions of the ball in flight [m], shape [n, 3], and force histories of the models that have one, by model.
     """
     first = next(iter(launches.values()))
     alone = len(launches) == 1
     title = subject(first) + (f", by {first.model}" if alone else "")
     shapes = {name: each.shot_shape() for name, each in flights.items()}
     columns = [
-        text("model", list(launches), printed=not alone), *_columns(launches, flights, alone),
+        text("model", list(launches), printed=not alone),
+        *(column(name, [getattr(each if name in each.quantities() else flights[model], name)
+                        for model, each in launches.items()], printed=alone or name not in ONE_MODEL_ONLY)
+          for name in QUANTITIES),
         text("shot_shape", [each or None for each in shapes.values()], printed=False),
     ]  # fmt: skip
     return Result(
@@ -73,15 +79,37 @@ def shot_result(
     )  # fmt: skip
 
 
-def _columns(launches: Mapping[str, Launch], flights: Mapping[str, Flight], alone: bool) -> list[Column]:
-    return [
-        column(
-            name,
-            [getattr(each if name in each.quantities() else flights[model], name) for model, each in launches.items()],
-            printed=alone or name not in ONE_MODEL_ONLY,
-        )
-        for name in QUANTITIES
-    ]
+def flight_result(
+    launch: Mapping[str, float],
+    *,
+    air: AirLike | None = None,
+    wind: WindLike | None = None,
+    ground: GroundLike | None = None,
+    hand: str = "right",
+) -> Result:
+    """Fly a ball and return its way through the air and on the ground, of a low ball on soft and firm ground too.
+
+    The arguments are single values as for :func:`clubface.fly`, and the hand of the player, for the name of the shot.
+    """
+    flown = fly(launch, air=air, wind=wind, ground=ground)
+    values = [column(name, [getattr(flown, name)]) for name in OF_FLIGHT]
+    values.append(text("shot_shape", [flown.shot_shape(hand) or None], printed=False))
+    notes: list[Note] = [shape_note("shot-shape", flown, hand)]
+    if flown.outside_fit:
+        notes.append(note("spin-outside-aerodynamic-data"))
+    if ground is None and not has_measured_run(flown.landing_angle, flown.landing_speed):
+        soft, firm = (float(fly(launch, air=air, wind=wind, ground=f"{each} fairway").total) for each in ENDS)
+        notes.append(note("run-not-measured", soft_total=soft, firm_total=firm))
+        values += [
+            column("total_soft", [soft], "total", printed=False), column("total_firm", [firm], "total", printed=False),
+        ]  # fmt: skip
+    inputs = {name.replace("_", " "): format_value(value, quantity(name)) for name, value in launch.items() if value}
+    return Result(
+        "flight", "Flight", values=tuple(values), notes=tuple(notes),
+        provenance=Provenance(inputs=inputs | flight_conditions(air, wind, ground)),
+        draw=lambda: [shot_picture({"flight": trajectory(launch, air=air, wind=wind, ground=ground).position},
+                                   shapes={"flight": flown.shot_shape(hand)})],
+    )  # fmt: skip
 
 
 _TOO_LOW = {
@@ -95,16 +123,7 @@ _TOO_LOW = {
 def shape_note(code: str, flight: Flight, hand: HandLike | None = None, **data: Any) -> Note:
     """Return the note on the shape of a shot: start, curve, landing, and what golfers call that.
 
-    Parameters
-    ----------
-    code
-        Of the sentence in the catalogue.
-    flight
-        Of a single ball.
-    hand
-        As for :meth:`clubface.Flight.shot_shape`.
-    data
-        Further data of the sentence.
+    ``code`` is that of the sentence in the catalogue, ``data`` are further data of it. The flight is of a single ball.
     """
     if not (shape := flight.shot_shape(hand)):
         return note(_TOO_LOW[code], **data)
@@ -228,24 +247,22 @@ def _force_panels(histories: Mapping[str, Any], *, named: bool = False) -> list[
     if not histories:
         return []
     sideways = max(float(np.abs(_values(each, "force_z")).max(initial=0.0)) for each in histories.values())
-    names = [name for name in _FORCES if name != "force_z" or sideways > _LEAST_FORCE]
-    return [_force_panel(name, *_FORCES[name], histories, named=named) for name in names]
-
-
-def _force_panel(name: str, label: str, sign: float, histories: Mapping[str, Any], *, named: bool) -> Panel:
-    marks = [
-        Mark("line", _values(each, "time"), sign * _values(each, name), style=model, label=model if named else "")
-        for model, each in histories.items()
-    ]
-    highest = max((float(np.abs(mark.y).max(initial=0.0)) for mark in marks), default=0.0)
-    normal = name == "normal_force"
-    low = 0.0 if normal else None if highest > _LEAST_FORCE else -_LEAST_FORCE
-    high = None if normal or highest > _LEAST_FORCE else _LEAST_FORCE
-    rule = [] if normal else [Mark("rule", y=0.0, style=-1)]
-    return Panel(
-        [*marks, *rule], axis("time", unit="us", limits=(0.0, None)),
-        axis(name, label, like="N", unit="kN", limits=(low, high)),
-    )  # fmt: skip
+    panels = []
+    for name, (label, sign) in _FORCES.items():
+        if name == "force_z" and sideways <= _LEAST_FORCE:
+            continue
+        marks = [
+            Mark("line", _values(each, "time"), sign * _values(each, name), style=model, label=model if named else "")
+            for model, each in histories.items()
+        ]
+        limits = (0.0, None)
+        if name != "normal_force":
+            noise = max(float(np.abs(mark.y).max(initial=0.0)) for mark in marks) <= _LEAST_FORCE
+            limits = (-_LEAST_FORCE, _LEAST_FORCE) if noise else (None, None)
+            marks.append(Mark("rule", y=0.0, style=-1))
+        force = axis(name, label, like="N", unit="kN", limits=limits)
+        panels.append(Panel(marks, axis("time", unit="us", limits=(0.0, None)), force))
+    return panels
 
 
 def flight_views(
@@ -257,16 +274,8 @@ def flight_views(
 ) -> tuple[list[Panel], list[float]]:
     """Return panels of flights from the side and from above, both to scale, and their heights [inches].
 
-    Parameters
-    ----------
-    flights
-        Positions of the ball [m], shape [n, 3], by name.
-    shapes
-        What golfers call the shots, by name; the legend has it.
-    styles
-        Style of each line; that of the model of its name unless given.
-    starts
-        Whether the lines are drawn on which the balls start.
+    ``flights`` are positions of the ball [m], shape [n, 3], by name; ``shapes`` what golfers call the shots, for the
+    legend; ``styles`` those of the lines, by model unless given. Lines on which balls start are drawn with ``starts``.
     """
     paths = {name: np.asarray(each, dtype=float) for name, each in flights.items()}
     labels = {name: f"{name}: {shape}" if (shape := (shapes or {}).get(name)) else name for name in paths}

@@ -178,14 +178,11 @@ def _settle(spins: dict[str, Floats]) -> tuple[Contradiction, ...]:
                 drop[part], drop[other] = drop[part] | wrong, drop[other] | wrong
     for name, where in drop.items():
         spins[name][where] = np.nan
-    return tuple(
-        Contradiction(
-            int(place),
-            {name: float(before[name][place]) for name in SPINS if has[name][place]},
-            tuple(name for name in SPINS if has[name][place] and not drop[name][place]),
-        )
-        for place in np.flatnonzero(np.any(list(drop.values()), axis=0))
-    )
+    result = []
+    for place in np.flatnonzero(np.any(list(drop.values()), axis=0)).tolist():
+        given = {name: float(before[name][place]) for name in SPINS if has[name][place]}
+        result.append(Contradiction(place, given, tuple(name for name in given if not drop[name][place])))
+    return tuple(result)
 
 
 def _misfits(spins: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Floats]:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import RunError
+from clubface.simulation.pose import attitude, circle
 
 HISTORY_POINTS = 201
 """Times of a history, evenly spaced from first touch to separation."""
@@ -159,12 +160,14 @@ class TwoBodies:
         self.ball_mass, self.ball_inertia = given["ball_mass"], given["ball_inertia"]
         self.radius, self.club_mass = given["ball_radius"], given["club_mass"]
         self.bulge, self.roll = (0.0 if math.isinf(given[name]) else 1.0 / given[name] for name in ("bulge", "roll"))
-        reference = _about_z(given["static_loft"])
+        c, s = math.cos(given["static_loft"]), math.sin(given["static_loft"])
+        reference = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
         xx, yy, zz, xy, xz, yz = (given[name] for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
         self.inertia = reference.T @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ reference
         self.inverse_inertia = np.linalg.inv(self.inertia)
         self.lever = reference.T @ np.array([given["cg_x"], given["cg_y"], given["cg_z"]])
-        self.attitude = _attitude(given, self.hand)
+        loft, face, lie, static_loft = (given[name] for name in ("loft", "face", "lie", "static_loft"))
+        self.attitude = np.array(attitude(math, loft, face * self.hand, lie, static_loft)) @ reference
         self.start = self._start(given)
 
     def _start(self, given: Mapping[str, float]) -> NDArray[Any]:
@@ -193,8 +196,8 @@ class TwoBodies:
     def nearest(self, place: Sequence[float] | NDArray[Any]) -> tuple[float, NDArray[Any], float]:
         """Return distance from the face, normal and mean curvature at the nearest point of the face, in face axes."""
         x, y, z = place
-        across, radial_x, radial_z = _circle(x, z, self.bulge)
-        distance, normal_x, normal_y = _circle(across, y, self.roll)
+        across, radial_x, radial_z = circle(math, x, z, self.bulge)
+        distance, normal_x, normal_y = circle(math, across, y, self.roll)
         other = normal_x * self.bulge / (1.0 + self.bulge * (across - distance * normal_x))
         normal = np.array([normal_x * radial_x, normal_y, normal_x * radial_z])
         return distance, normal, 0.5 * (self.roll + other)
@@ -376,30 +379,6 @@ def flatten_results(returned: Any, states: Mapping[str, Any]) -> Sequence[Any]:
 _FORCE_NAMES = ("normal force", "friction up the face", "friction towards the toe")
 
 
-def _attitude(given: Mapping[str, float], hand: float) -> NDArray[Any]:
-    """Return the rotation from face axes to world axes: lie, then square, then loft, then face angle."""
-    tilted = _about_x(-given["lie"]) @ _about_z(given["static_loft"])
-    x, y, z = tilted[:, 0]
-    square = _about_y(math.atan2(z, x))
-    raised = _about_z(given["loft"] - math.atan2(y, math.hypot(x, z)))
-    return _about_y(-given["face"] * hand) @ raised @ square @ tilted
-
-
-def _about_x(angle: float) -> NDArray[Any]:
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
-
-
-def _about_y(angle: float) -> NDArray[Any]:
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
-
-
-def _about_z(angle: float) -> NDArray[Any]:
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
 def _matrix(quaternion: NDArray[Any]) -> NDArray[Any]:
     """Return the rotation of a quaternion w, x, y, z of any size, which an integrator does not keep at 1."""
     w, x, y, z = quaternion.tolist()
@@ -414,10 +393,3 @@ def _matrix(quaternion: NDArray[Any]) -> NDArray[Any]:
 def _cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     (p, q, r), (x, y, z) = a.tolist(), b.tolist()
     return np.array([q * z - r * y, r * x - p * z, p * y - q * x])
-
-
-def _circle(x: float, y: float, k: float) -> tuple[float, float, float]:
-    """Return signed distance from a circle of curvature ``k`` through the origin, and the normal there; k may be 0."""
-    radial = 1.0 + k * x
-    root = math.hypot(radial, k * y)
-    return (2.0 * x + k * (x * x + y * y)) / (root + 1.0), radial / root, k * y / root
