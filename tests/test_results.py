@@ -59,7 +59,7 @@ def test_printing_a_result_computes_nothing(monkeypatch, name):
     def computed(*arguments, **named):
         raise AssertionError("something was computed to print it")
 
-    for each in ("impact", "fly", "sensitivity", "sensitivities", "history", "trajectory", "fly_sensitivity"):
+    for each in ("impact", "fly", "sensitivities", "history", "trajectory", "fly_sensitivity"):
         monkeypatch.setattr(f"clubface.simulation.core.{each}", computed)
     assert repr(made)
     assert str(made)

@@ -104,14 +104,10 @@ def _cell_stress(impact: Impact, frame: int, cells: list[int]) -> dict[str, list
             continue
         shells = fields.stress.ndim == 4
         outer, inner = ((frame, slice(None), side) if shells else (frame,) for side in (0, 1))
-        arrays = {
-            "stress": turned(fields.stress[outer], impact.attitude)[:, PARAVIEW],
-            "strain": turned(fields.strain[outer], impact.attitude)[:, PARAVIEW],
-            "pressure": fields.pressure[outer],
-            "von_mises": fields.von_mises[outer],
-            "von_mises_inner": fields.von_mises[inner],
-            "plastic_strain": fields.plastic_strain[frame],
-        }
+        arrays = {name: turned(getattr(fields, name)[outer], impact.attitude)[:, PARAVIEW]
+                  for name in ("stress", "strain")}  # fmt: skip
+        arrays |= {"pressure": fields.pressure[outer], "von_mises": fields.von_mises[outer]}
+        arrays |= {"von_mises_inner": fields.von_mises[inner], "plastic_strain": fields.plastic_strain[frame]}
         for name, array in arrays.items():
             ends = np.cumsum(cells)[:-1] if fields is impact.head_fields else []
             data.setdefault(name, []).extend(np.split(array.astype("float32"), ends))

@@ -47,10 +47,8 @@ ROWS_SHOWN = 12
 def impact_result(impact: Impact, name: str = "", description: str = "") -> Result:
     """Return an impact as a result; ``name`` and ``description`` are those of its case."""
     out = impact.outcome()
-    flown, numbers = (
-        impact.flown(),
-        {each: getattr(impact, each) for each in (*CONTACT, "energy_error", "steps", "step", "wall")},
-    )
+    numbers = {each: getattr(impact, each) for each in (*CONTACT, "energy_error", "steps", "step", "wall")}
+    flown = impact.flown()
     printed = (*(each for each in out if impact.launch is None or each in PRINTED), *flown, *CONTACT)
     values = [column_of(each, [value], printed=each in printed) for each, value in (out | flown | numbers).items()]
     given = impact.provenance["delivery"] | {"friction": impact.friction, "duration": impact.settings.duration}
@@ -230,9 +228,8 @@ def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact]
         "contact_time_s": impact.contact_time, "tangential_max_n": impact.tangential_max,
         "tangential_min_n": impact.tangential_min, "reversal_time_s": impact.reversal_time,
     }  # fmt: skip
-    rows = [own]
-    for solver in range(len(names)):
-        rows.append({key: values[solver] for key, values in others.items() if solver < len(values)})
+    rows = [own, *({key: values[solver] for key, values in others.items() if solver < len(values)}
+                   for solver in range(len(names)))]  # fmt: skip
     title = "Reference case, compared with other solvers" if published else "Reference case, varied"
     columns = (text("solver", ["clubface", *names]), *columns_of(rows, own, unit="m/s"))
     tables = [Table("reference", columns, title, "transposed")]
@@ -245,12 +242,8 @@ def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact]
         made = [replace(each, digits=digits.get(each.name)) for each in columns_of(on_meshes, on_meshes[0], unit="m/s")]
         tables.append(table("meshes", count, *made, title="The same on finer meshes"))
         first, last = on_meshes[0], on_meshes[-1]
-        keys = {
-            "speed_over_meshes": "ball_speed_mps",
-            "spin_over_meshes": "backspin_rpm",
-            "force_over_meshes": "peak_force_n",
-        }
-        spread = {name: abs(last[key] / first[key] - 1.0) for name, key in keys.items()}
+        keys = {"speed": "ball_speed_mps", "spin": "backspin_rpm", "force": "peak_force_n"}
+        spread = {f"{what}_over_meshes": abs(last[key] / first[key] - 1.0) for what, key in keys.items()}
         notes = (*notes, note("mesh-spread", coarse=count.values[0], fine=count.values[-1], **spread))
     return result.replace(kind="reference", title=title, values=(), tables=tuple(tables), notes=notes)
 

@@ -90,8 +90,8 @@ class Section:
         half = 0.5 * thickness[:, None] * across
         return np.stack([cuts[:, 0] + half, cuts[:, 1] + half, cuts[:, 1] - half, cuts[:, 0] - half], axis=1)
 
-    def panel(self, frame: int, most: float) -> Panel:
-        """Return the section at one moment, coloured by compression up to ``most``."""
+    def panel(self, frame: int, colours: Axis) -> Panel:
+        """Return the section at one moment, coloured by compression."""
         corners, compression = self.at(frame)
         walls, radius = self.walls_at(frame), 0.5 * self._impact.ball.diameter
         marks = [Mark("cells", corners[..., 0], corners[..., 1], values=compression, label="ball")]
@@ -103,11 +103,12 @@ class Section:
                  limits=((-0.7 if len(walls) else -0.15) * radius, 2.15 * radius))  # fmt: skip
         y = axis("up_the_face", like="m", unit="mm", limits=(-1.3 * radius, 1.5 * radius))
         title = f"{from_si(self.times[frame], 'us'):.0f} µs"
-        return Panel(marks, x, y, title, equal=True, values=_colours(most), grid=False)
+        return Panel(marks, x, y, title, equal=True, values=colours, grid=False)
 
-    def most(self, frames: Iterable[int]) -> float:
-        """Return the end of the scale of compression, a multiple of a tenth."""
-        return 0.1 * max(1.0, float(np.ceil(max(self.at(frame)[1].max() for frame in frames) * 10.0)))
+    def colours(self, frames: Iterable[int]) -> Axis:
+        """Return the scale of compression of some moments, which ends at a multiple of a tenth."""
+        most = 0.1 * max(1.0, float(np.ceil(max(self.at(frame)[1].max() for frame in frames) * 10.0)))
+        return axis("compression", like="1", unit="%", limits=(0.0, most))
 
     def _from_touch(self, places: NDArray[Any]) -> NDArray[Any]:
         """Return places in the axes of first touch, the plane of the picture at zero of the third."""
@@ -131,10 +132,6 @@ def _compression(rest: NDArray[Any], now: NDArray[Any]) -> NDArray[Any]:
     return np.clip(1.0 - stretches[:, 1], 0.0, 1.0)
 
 
-def _colours(most: float) -> Axis:
-    return axis("compression", like="1", unit="%", limits=(0.0, most))
-
-
 def section_picture(impact: Impact, *, count: int = 5) -> Picture:
     """Return the deformed section at ``count`` moments of contact, with pressure and shear over the patch below it.
 
@@ -144,15 +141,14 @@ def section_picture(impact: Impact, *, count: int = 5) -> Picture:
     section = Section(impact)
     moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * impact.last_touch
     frames = list(dict.fromkeys(int(np.argmin(abs(section.times - each))) for each in moments))
-    above = [section.panel(frame, section.most(frames)) for frame in frames]
-    colours = above[0].values
+    colours = section.colours(frames)
+    above = [section.panel(frame, colours) for frame in frames]
     tractions = [_tractions(impact, float(section.times[frame])) for frame in frames]
     high = max((float(np.max(marks[0].x, initial=0.0)) for marks in tractions if marks), default=0.0) or 1e6
     stress = axis("stress", "force per area", unit="MPa", limits=(-0.4 * high, 1.1 * high))
     height = axis("up_from_the_mass_centre", like="m", unit="mm")
     below = [Panel([*marks, Mark("rule", x=0.0, style=-1)], stress, height, legend=place == 0)
              for place, marks in enumerate(tractions)]  # fmt: skip
-    above = [Panel(each.marks, each.x, each.y, each.title, equal=True, values=colours, grid=False) for each in above]
     caption = "The deformed section at moments of the contact; below, pressure and shear over the patch"
     return Picture("section", caption, [above, below], share_y=True, heights=[1.6, 1.0], height=4.1)
 
@@ -180,7 +176,7 @@ def _tractions(impact: Impact, time: float) -> list[Mark]:
 def moving_section(impact: Impact) -> list[Picture]:
     """Return the deforming section next to the forces up to each moment, a picture a kept shape."""
     section, contact = Section(impact), impact.contact
-    most = section.most(range(len(section.times)))
+    colours = section.colours(range(len(section.times)))
     time = axis("time", unit="us", limits=(0.0, float(section.times[-1]) or None))
     whole = [Mark("line", contact["time"], contact[key], style=-1, size=0.4) for key in ("normal", "tangential")]
     pictures = []
@@ -191,6 +187,6 @@ def moving_section(impact: Impact) -> list[Picture]:
             for style, (key, label) in enumerate((("normal", "normal"), ("tangential", "along the face")))
         ]
         forces = Panel([*whole, *marks, LEVEL], time, FORCE, legend=True)
-        row = [section.panel(frame, most), forces]
+        row = [section.panel(frame, colours), forces]
         pictures.append(Picture("moving-section", "The deforming section", [row], widths=[1.0, 1.35], height=3.2))
     return pictures

@@ -311,14 +311,12 @@ def _metal(
     cards = [_in_si(mesh, wall, unit) for wall in walls if wall.youngs is not None or wall.density is not None]
     card = cards[0] if cards else {}
     if any(each != card for each in cards) and not isinstance(given, Metal):
-        message = (
-            "its sets have different metals in the mesh; make a group of each, or give youngs, poisson and density"
-        )
-        raise InputError(f"metal of {group.name}", None, message)
+        allowed = "make a group of each, or give youngs, poisson and density"
+        raise InputError(f"metal of {group.name}", None, f"its sets have different metals in the mesh; {allowed}")
     known = {key: getattr(given, key) for key in METAL} if isinstance(given, Metal) else given
     for key in METAL:
         if key in card and key in known:
-            value = units.parse(known[key], {"youngs": "pressure", "density": "density"}.get(key, units.DIMENSIONLESS))
+            value = units.parse(known[key], units.unit(_UNITS[key]).dimension)
             if abs(card[key] - value) > CLOSE * abs(value):
                 shown = (units.show(each, _UNITS[key]) for each in (card[key], value))
                 differing.append("{} of {} {} there, {} here".format(key, group.name, *shown))
