@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help setup build dev wheel libclubface wheel-check sdist sdist-check demo test test-oldest test-newest test-beyond test-foreign test-wheel check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
+.PHONY: help setup build dev wheel libclubface wheel-check sdist sdist-check demo test test-programs test-oldest test-newest test-beyond test-foreign test-wheel check wasm-check bench docs site site-test paper notebooks studio studio-build studio-test studio-open studio-figures golden benchmarks study mutants benchmark-data benchmark-identification benchmark-identification-speed fem-figures validation ball-fit ball-shear-fit strike-height response-fit face-spring identification-coverage capture-study capture-coverage fuzz kills release clean
 
 VENV := .venv
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
@@ -92,8 +92,13 @@ libclubface: ## the C library with its header and the files of pkg-config and CM
 demo: build ## the published tour averages by every model; tables and pictures in out/
 	$(BIN)/clubface tour --averages all --output out/
 
-test: dev $(STUDIO_TESTED) ## all tests; the last line is "N passed, N failed"
+test: build ## all tests; the last line is "N passed, N failed"
+	@$(MAKE) --no-print-directory --jobs 3 dev test-programs $(STUDIO_TESTED)
 	@$(PYTHON) scripts/run_tests.py
+
+# The tools of Python's tests arrive while those of Rust compile, whose errors the run of the tests counts.
+test-programs: build
+	-@cargo test --release --quiet $(RUST_TESTED) --no-run
 
 PYTHONS ?= $(PYTHON)
 PYTEST ?=

@@ -284,6 +284,8 @@ if __name__ == "__main__":
     parser.add_argument("--python", default=sys.executable, help="the interpreter of the environments")
     parser.add_argument("--record", action="store_true", help="put the result into docs/tested-machines.json")
     options = parser.parse_args()
+    if not options.package.is_file():
+        parser.error(f"{options.package} is no file")
     Environment.python = options.python
     report = "import sysconfig; print(bool(sysconfig.get_config_var('Py_GIL_DISABLED')))"
     done = subprocess.run([options.python, "-c", report], capture_output=True, text=True, check=True)
