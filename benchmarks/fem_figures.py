@@ -421,7 +421,7 @@ MESHES_OF_IRON = ((32, 20, 2), (48, 30, 3), (64, 40, 4))
 
 
 def stresses() -> None:
-    """Stresses of a face under a hard blow, on the meshes of the page."""
+    """Stresses of a face in a hard impact, on the meshes of the page."""
     iron = from_toml(builtin_path("head", "7-iron", "fem_heads"))
     assert isinstance(iron, fem.IronHead)
     centres: list[float] = []

@@ -48,14 +48,14 @@ TERMS = {
 }
 
 DEFINITION = "By definition"
-BLOW = "From the blow along the face normal"
+IMPACT = "From the impact along the face normal"
 ALONG = "From the speed along the face"
 MOMENTUM = "From the momentum that the head loses"
 
 EQUATIONS: dict[str, tuple[tuple[str, str], ...]] = {
     "ball_speed": (
         (DEFINITION, "sqrt(velocity_x**2 + velocity_y**2 + velocity_z**2)"),
-        (BLOW, "sqrt((approach * (1 + restitution) * head_mass / (head_mass + ball_mass))**2 + along_face**2)"),
+        (IMPACT, "sqrt((approach * (1 + restitution) * head_mass / (head_mass + ball_mass))**2 + along_face**2)"),
     ),
     "smash": ((DEFINITION, "ball_speed / speed"),),
     "launch": (

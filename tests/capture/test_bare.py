@@ -45,7 +45,7 @@ def test_an_address_exactly_as_assumed_calibrates_the_head_exactly(club, hand):
         swing, recorded = bare(seed, club, hand, CERTAIN, cameras)
         off = errors(read(swing, recorded, cameras=cameras, assumed=CERTAIN), swing)
         result = dict(zip(QUANTITIES, np.abs(off), strict=True))
-        # The instant of the blow is known to half of what contact times differ by, 0.05 ms; the face closes by 0.12 deg
+        # The instant of impact is known to half of what contact times differ by, 0.05 ms; the face closes by 0.12 deg
         # in that, and the head turns by as much about the others.
         assert result["speed"] < 0.1
         assert max(result[name] for name in ("attack", "path", "loft", "face", "lie")) < 0.35
@@ -105,7 +105,7 @@ def test_positions_that_contradict_the_address_are_told():
 
 
 @pytest.mark.parametrize("hand", ["right", "left"])
-def test_a_blow_at_the_centre_shows_loft_and_face_angle(hand):
+def test_an_impact_at_the_centre_shows_loft_and_face_angle(hand):
     cameras = Cameras(rate=720.0, noise=1e-5)
     usual = Assumed(
         delivered_loft=0.5, delivered_face=0.5, delivered_lie=0.01, blow=1e-3, toe=1e-4, high=1e-4, place=1e-6
@@ -130,7 +130,7 @@ def test_deviations_that_are_stated_hold_the_truth():
         # half as large would hold 59%. Many swings are a study.
         assert 0.80 < np.mean(list(rates.values())) < 0.985, name
         assert min(rates.values()) >= 0.65, (name, rates)
-    # The face is known by the blow to some degrees only, and rates do not need to know where it looks.
+    # The face is known by the loss of speed to some degrees only, and rates do not need to know where it looks.
     stated = {name: result.stated(name) for name in result.errors}
     assert stated["swing"]["face"] > 1.3 * stated["address"]["face"]
     assert stated["swing"]["closure"] == pytest.approx(stated["address"]["closure"], rel=0.05)
@@ -142,8 +142,8 @@ def test_ninety_percent_hold_the_truth_in_many_swings_of_bare_files(club, hand):
     result = bare_study(200, club=club, hand=hand, seed=5)
     for name in WAYS:
         read = np.isfinite(result.errors[name][:, 0]).mean()
-        # A blow far off centre spins an iron so fast that the swing alone may not calibrate it; that is refused. So are
-        # three of these 200 irons however they are calibrated: their markers seem to lose 8% of the speed or less.
+        # An impact far off centre spins an iron so fast that the swing alone may not calibrate it; that is refused. So
+        # are three of these 200 irons however they are calibrated: their markers seem to lose 8% of the speed or less.
         assert read > (0.75 if name == "swing" else 0.98), name
         for quantity, rate in result.coverage(name, 0.9).items():
             # 200 intervals scatter by 2.1%, to first order: 80 to 98% is four to five times that about 90%.
@@ -170,7 +170,7 @@ def test_a_ball_that_is_guessed_wrongly_does_not_turn_the_face():
         assert result.uncertainty["face"] < np.radians(0.6)
 
 
-def test_a_guessed_ball_is_as_uncertain_as_it_is_said_where_no_blow_is_seen():
+def test_a_guessed_ball_is_as_uncertain_as_it_is_said_where_no_impact_is_seen():
     swing, recording, mapping = guessed_ball(1, -0.03, ball_accuracy=0.07)
     positions = recording.positions.copy()
     positions[int(0.25 * 360) + 4 :] = np.nan  # three frames after impact
@@ -198,12 +198,12 @@ def test_a_ball_far_from_where_the_head_is_slowed_is_told():
     assert contradiction["surprise"] > 2.5
 
 
-def test_a_swing_without_a_ball_has_no_blow():
+def test_a_swing_without_a_ball_has_no_impact():
     swing, recorded = bare(5)
     free = replace(swing, slowed=(np.zeros(3), np.zeros(3)))
     recorded = record_bare(free, CAMERAS, 5)
     for by in ("address", "swing"):
-        with pytest.raises(FileError, match=r"nowhere loses speed as in a blow \(at most \d+% .*under \[ball\]"):
+        with pytest.raises(FileError, match=r"nowhere loses speed as at impact \(at most \d+% .*under \[ball\]"):
             read(free, recorded, by)
 
 
@@ -357,12 +357,12 @@ def test_whatever_happens_to_a_bare_recording_it_is_read_or_refused(by):
     assert 3 < outcomes.count("refused") < 24
 
 
-def test_the_instant_of_the_blow_is_less_certain_where_the_paths_do_not_meet():
+def test_the_instant_of_impact_is_less_certain_where_the_paths_do_not_meet():
     swing, recorded = bare(5)
     times = []
     for up in (0.0, 5e-3):
         positions = recorded.recording.positions.copy()
-        # As by cameras that were knocked: all after the blow, which is in frame 631, lies 5 mm higher.
+        # As by cameras that were knocked: all after impact, which is in frame 631, lies 5 mm higher.
         positions[631:, :, 2] += up
         result = read(swing, replace(recorded, recording=replace(recorded.recording, positions=positions)))
         times.append(known(result, "instant of first touch").deviations[0])

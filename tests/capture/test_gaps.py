@@ -1,4 +1,4 @@
-"""Gaps of markers are not the blow: hidden ones, and those that the capture program filled."""
+"""Gaps of markers are not impacts: hidden ones, and those that the capture program filled."""
 
 from dataclasses import replace
 from functools import cache
@@ -91,7 +91,7 @@ def test_a_gap_in_the_follow_through_changes_nothing():
         *((1000.0, "driver", "right", 20, 80, way) for way in ("line", "overshoot")),
     ],
 )
-def test_a_gap_before_or_after_impact_is_not_the_blow_whatever_fills_it(rate, club, hand, first, last, way):
+def test_a_gap_before_or_after_impact_is_not_the_impact_whatever_fills_it(rate, club, hand, first, last, way):
     """The delivery is that of the whole recording, to a tenth of its standard deviations where the gap comes after
     impact and to three where frames before it are missing; and it holds the truth within four."""
     swing, recording, ready, impact = bare(rate=rate, club=club, hand=hand)
@@ -138,18 +138,18 @@ def free(seed=5):
 
 @pytest.mark.parametrize("size", [-0.4, -0.1, 0.1, 0.4])
 @pytest.mark.parametrize("length", [2, 4, 6])
-def test_a_speed_that_drops_or_rises_and_comes_back_is_no_blow(size, length):
+def test_a_speed_that_drops_or_rises_and_comes_back_is_no_impact(size, length):
     """All markers lag behind, or run ahead, for some frames, as a filter that rings or a bad frame makes them do."""
     recording, ready, impact = free()
     positions = recording.positions.copy()
     step = np.nanmean(positions[impact + 1] - positions[impact], axis=0)
     bump = size * step * np.sin(np.pi * np.arange(1, length + 1) / (length + 1.0))[:, None, None]
     positions[impact - 3 : impact - 3 + length] += bump
-    with pytest.raises(FileError, match="nowhere loses speed as in a blow"):
+    with pytest.raises(FileError, match="nowhere loses speed as at impact"):
         capture(replace(recording, positions=positions), ready)
 
 
-def test_of_two_blows_the_harder_is_taken_and_the_other_named():
+def test_of_two_impacts_the_harder_is_taken_and_the_other_named():
     swing, recording, ready, impact = bare()
     slower = random_swing(7, speed=0.7 * swing.truth["speed"])
     cameras = Cameras(rate=360.0, noise=3e-4, after=0.2)

@@ -49,7 +49,7 @@ def test_the_delivered_normal_has_its_loft_and_face_angle_at_any_lie():
 
 @pytest.mark.parametrize("hand", ["right", "left"])
 def test_attitude_and_face_are_those_of_the_core(hand):
-    """A frictionless blow of an immovable head drives the ball along the face's normal at the point of impact."""
+    """A frictionless impact of an immovable head drives the ball along the face's normal at the point of impact."""
     heavy = {f"i{a}{b}": 1e9 if a == b else 0.0 for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
     club = clubface.club("driver").replace(roll="250 mm", hand=hand)
     given = {"loft": 0.2, "face": 0.07, "lie": 0.15, "toe": 0.021, "high": -0.012}

@@ -232,7 +232,7 @@ def test_a_recording_that_was_filtered_is_noted_and_a_raw_one_is_not(seed):
     assert not noted(raw, "capture-filtered")
     smooth = filtered(100.0, seed)
     assert len(noted(smooth, "capture-filtered")) == 1
-    # What the note warns of: the blow reaches back over 2 ms, and the head reads slower than it is.
+    # What the note warns of: the loss of speed reaches back over 2 ms, and the head reads slower than it is.
     assert smooth.delivery.speed < 0.97 * raw.delivery.speed
     assert len(noted(filtered(150.0, seed), "capture-filtered")) == 1
 

@@ -54,7 +54,7 @@ def test_a_swing_has_the_magnitudes_of_a_golfers():
         assert 1.2 < swing.truth["speed"] ** 2 / bending < 2.2
 
 
-def test_the_blow_slows_the_head_and_keeps_momentum():
+def test_impact_slows_the_head_and_keeps_momentum():
     swing = random_swing(4)
     h = 1e-6
     before, after = (swing.head(np.array([t, t + h]))[0] for t in (-h, 0.6e-3))

@@ -39,7 +39,7 @@ TEXTS = {
     ("monitor send", "--pause"): ("-1", "nan", HUGE, ""), ("monitor send", "--timeout"): NUMBERS,
     ("monitor listen", "--timeout"): NUMBERS, ("fem face", "--toe"): ("0:10:0", "0:10:-1", "nan", ""),
     ("fem sweep", "--speed"): ("30:45:0", "nan", ""), ("fem sweep", "--loft"): ("8:10:0", "nan", ""),
-    ("fem head", "--blow"): NUMBERS, ("capture study", "--noise"): ("-1", "nan", HUGE, ""),
+    ("fem head", "--impact-speed"): NUMBERS, ("capture study", "--noise"): ("-1", "nan", HUGE, ""),
     ("dispersion", "--hole"): NUMBERS, ("map", "--spread"): ("0", "-1", "nan", "0 mm x 5 mm", ""),
 }  # fmt: skip
 """Texts of options that hold numbers, and what is none of theirs."""

@@ -75,7 +75,7 @@ COMMANDS = {
     "fit": ("optimise", "fit.toml"),
     "optimise": ("optimise", "best.toml"),
     "fem run": ("fem", "run", "case.toml"),
-    "fem head": ("fem", "head", "iron.toml", "--meshes", "1", "--blow", "38 m/s"),
+    "fem head": ("fem", "head", "iron.toml", "--meshes", "1", "--impact-speed", "38 m/s"),
     "study": ("study", "summary", "sweep.toml"),
     "monitor": ("monitor", "report", "session.csv"),
 }
@@ -270,7 +270,7 @@ def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):
 @pytest.mark.usefixtures("without_pictures")
 def test_a_part_that_yields_is_called_too_weak(clubface_, files, monkeypatch):
     monkeypatch.chdir(files)
-    run = ("fem", "head", "iron.toml", "--meshes", "1", "--blow")
+    run = ("fem", "head", "iron.toml", "--meshes", "1", "--impact-speed")
     assert "no part yields" in words_of(clubface_, files / "slow.html", *run, "20 m/s")
     soft = files / "iron.toml"
     soft.write_text(soft.read_text().replace('"300 MPa"', '"30 MPa"'))

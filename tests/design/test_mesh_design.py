@@ -47,7 +47,7 @@ def study(head, **changes):
     """A study of few runs of a coarse ball."""
     given = {
         "title": "Own mesh", "head": head, "bounds": {"thickness.face": (2.2e-3, 3.6e-3)}, "objective": "ball_speed",
-        "delivery": shells.Blow(delivery={"speed": 44.7, "loft": 0.2}), "ball": coarse("modern"), "designs": 6,
+        "delivery": shells.FaceImpact(delivery={"speed": 44.7, "loft": 0.2}), "ball": coarse("modern"), "designs": 6,
     }  # fmt: skip
     return shells.ShellStudy(**{**given, **changes})
 
@@ -98,7 +98,7 @@ def test_without_a_limit_every_wall_ends_at_its_least(tmp_path):
 def test_the_best_head_is_the_one_that_is_written(tmp_path):
     folder = tmp_path / "designs"
     folder.mkdir()
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     metals = (shells.NamedMetal(name="steel", metal=STEEL, groups=("face",)),)
     asked = study(own_head(tmp_path), hardest=hardest, metals=metals, designs=4, limits={"cg_height": (0.0, 0.04)})
     result = shells.improve(asked, output=folder / "best.toml")
@@ -139,7 +139,7 @@ def test_a_driver_and_its_exported_mesh_are_one_design(tmp_path):
         Group(name=name, thickness=walls.get(name, walls["face_centre"]), face=name == "face") for name in parts
     )
     mesh = own_head(tmp_path, Walls(made.nodes * 1e3, parts), groups=groups, masses={})
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     metals = (shells.NamedMetal(name="titanium", metal=TITANIUM),)
     shared = {"hardest": hardest, "metals": metals, "rules": False}
     ways = [study(driver, bounds={"thickness.crown": (0.6e-3, 1.2e-3)}, **shared),
@@ -198,7 +198,7 @@ def test_each_group_of_the_face_has_a_limit_by_its_metal(tmp_path):
         shells.NamedMetal(name="steel", metal=STEEL, groups=("insert",)),
         shells.NamedMetal(name="titanium", metal=TITANIUM, groups=("face",)),
     )
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     asked = study(head, bounds={"thickness.insert": (2.0e-3, 3.6e-3)}, metals=metals, hardest=hardest, safety=1.25)
     limits = asked.goal(asked.choices[0]).limits
     assert limits["stress.insert"] == (0.0, pytest.approx(1600e6 / 1.25))

@@ -53,7 +53,7 @@ def study(**changes):
         "head": driver(),
         "bounds": {CENTRE: (2.0e-3, 4.2e-3)},
         "objective": "ball_speed",
-        "delivery": shells.Blow(delivery={"speed": 44.7, "loft": 0.2}),
+        "delivery": shells.FaceImpact(delivery={"speed": 44.7, "loft": 0.2}),
         "ball": coarse("modern"),
         "designs": 8,
     }
@@ -116,7 +116,7 @@ def test_the_rules_bind_the_fastest_face(fastest):
 def test_no_face_of_a_grid_is_better():
     """Two walls on a grid of 99 heads, all judged by finite elements, beside what a search found of them."""
     bounds = {CENTRE: (2.4e-3, 4.0e-3), EDGE: (1.8e-3, 3.0e-3)}
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     asked = study(bounds=bounds, hardest=hardest, metals=(metal("1000 MPa"),), designs=25)
     result = shells.improve(asked)
     goal, run = result.chosen.goal, Engine(asked, None, None)
@@ -141,7 +141,7 @@ def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
 
 
 def test_the_stress_limit_refuses_a_thin_face(fastest):
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     strict = shells.improve(study(hardest=hardest, metals=(metal("1000 MPa"),), safety=1.1))
     limit, values = 1000e6 / 1.1, strict.chosen.best.values
     assert 0.99 * limit <= values["stress"] <= limit
@@ -155,7 +155,7 @@ def test_the_stress_limit_refuses_a_thin_face(fastest):
 
 
 def test_of_two_metals_the_stronger_is_chosen():
-    hardest = shells.Blow(delivery={"speed": 50.0, "loft": 0.2})
+    hardest = shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2})
     metals = (metal("900 MPa", "weak"), metal("1400 MPa", "strong"))
     result = shells.improve(study(hardest=hardest, metals=metals, designs=5))
     assert result.chosen.metal.name == "strong"
@@ -225,7 +225,7 @@ def test_a_run_that_fails_is_no_design(monkeypatch):
 
 
 def test_the_fast_model_tells_what_the_engine_tells():
-    asked = study(hardest=shells.Blow(delivery={"speed": 50.0, "loft": 0.2}), metals=(metal(),))
+    asked = study(hardest=shells.FaceImpact(delivery={"speed": 50.0, "loft": 0.2}), metals=(metal(),))
     design = driver()
     quick, [slow] = FastModel(asked)(design), Engine(asked, None, 1)([design])
     assert set(quick) == set(slow)

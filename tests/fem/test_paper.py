@@ -63,12 +63,12 @@ def test_the_tangential_velocity_is_that_relative_to_the_clubhead():
 def test_what_factor_a_spin_means():
     # 7 R w / (5 V sin phi) with 21.4 mm, 2047 rpm, 35 m/s and 11.5 deg; they print 0.9476, from the forces.
     assert pytest.approx(0.9204, abs=1e-4) == paper.SPIN_FACTOR
-    # In proportion to the spin, for the same ball and blow.
+    # In proportion to the spin, for the same ball and impact.
     spin = paper_run().launch.backspin * 30.0 / math.pi
     assert paper.spin_factor(paper_run()) == pytest.approx(paper.SPIN_FACTOR * spin / 2047.0, rel=1e-6)
 
 
-def test_a_blow_without_loft_has_no_factor():
+def test_an_impact_without_loft_has_no_factor():
     level = drive_case(until_separation=True).replace(loft=0.0).run()
     # A CG that does not lie behind the point that is hit makes a little spin all the same.
     assert level.launch.backspin != 0.0

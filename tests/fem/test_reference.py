@@ -202,7 +202,7 @@ def test_a_run_until_separation_ends_early_with_the_same_launch():
 def test_a_run_until_separation_goes_on_while_the_ball_is_on_the_face():
     slow = clubface.impact("driver", speed="1 m/s", model="fem")
     fast = clubface.impact("driver", speed="10 m/s", model="fem")
-    # 1.27 ms, longer than a run lasts otherwise. The slower the blow, the less the ball vibrates when it leaves, and
+    # 1.27 ms, longer than a run lasts otherwise. The slower the impact, the less the ball vibrates when it leaves, and
     # without any loss the smash is 2 cos(loft) / (1 + m/M) along the normal, 1.61, and a little along the face.
     assert slow.contact_time > 1e-3
     assert fast.smash < slow.smash < 1.62

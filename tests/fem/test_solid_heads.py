@@ -163,7 +163,7 @@ def test_parts_have_metals_of_their_own(tmp_path):
     parts = (Group(name="plate", metal=light, face=True), Group(name="body", metal=STEEL))
     head = MeshHead(name="mine", file=path, groups=parts, **FLAT).mesh()
     assert head.club.mass == pytest.approx(0.5 * made.club.mass * (1.0 + 4430.0 / 7800.0), rel=1e-9)
-    stress = fem.stress.blow_stress(head, speed="20 m/s", ball=coarse())
+    stress = fem.stress.impact_stress(head, speed="20 m/s", ball=coarse())
     assert [part.part for part in stress.parts] == ["plate", "body"]
     assert all(part.stress > 1e7 for part in stress.parts)
 
@@ -198,10 +198,12 @@ def test_stress_that_is_linear_is_exact_at_the_surface_of_tetrahedra(tmp_path):
 def test_one_layer_of_tetrahedra_sees_how_a_wall_bends(tmp_path):
     # Hexahedra in four layers come to 269 MPa, and to 290 with more of them along the blade; tetrahedra to 297 in one
     # layer and to 301 in two. One layer of hexahedra sees 79.
-    blow = {"speed": "42 m/s"}
+    options = {"speed": "42 m/s"}
     one, four = (iron(elements=(16, 10, layers)) for layers in (1, 4))
     path = gmsh_solids(tmp_path / "head.msh", one.nodes * 1e3, {"head": tetrahedra_of(one.hexahedra).tolist()})
-    bent, reference, flat = (fem.stress.blow_stress(head, **blow).parts[0].stress for head in (read(path), four, one))
+    bent, reference, flat = (
+        fem.stress.impact_stress(head, **options).parts[0].stress for head in (read(path), four, one)
+    )
     assert bent == pytest.approx(reference, rel=0.12)
     assert flat < 0.5 * reference
 

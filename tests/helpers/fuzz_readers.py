@@ -190,8 +190,8 @@ toe = ["0 mm", "4 mm"]
     '[sweep]\nvariables.loft.most = ["12 deg"]\n',
     '[study]\nkind = "fem"\n[fem]\ncase = "paper"\noutputs = ["steps"]\n[sweep]\nspeed = ["30 m/s"]\n',
     '[study]\nkind = "head"\n[head]\nhead = "paper"\nball = "reference"\ntoe = "0 mm"\nhigh = "0 mm"\n'
-    'speed = "40 m/s"\nstriker_speed = "3 m/s"\nblow = "50 m/s"\nfriction = 0.3\nsafety = 0.5\noutputs = ["mass"]\n'
-    '[sweep]\nthickness.face_centre = ["3 mm"]\n',
+    'speed = "40 m/s"\nstriker_speed = "3 m/s"\nimpact_speed = "50 m/s"\nfriction = 0.3\nsafety = 0.5\n'
+    'outputs = ["mass"]\n[sweep]\nthickness.face_centre = ["3 mm"]\n',
     '[study]\nkind = "capture"\n[capture]\nclub = "driver"\nhand = "left"\nestimator = "linear"\nseed = 3\nrate = 360\n'
     'noise = "0.5 mm"\ngaps = 0\ngap = 1\nroughness = 100\noutputs = ["speed_error"]\n'
     "[sweep]\nswing = { from = 0, to = 3, step = 1 }\n",

@@ -84,7 +84,7 @@ def test_what_a_degree_is_worth_is_left_out_of_a_ball_that_does_not_fly():
 
 
 def test_the_sweet_spot_of_a_flat_face_that_is_struck_squarely_is_ahead_of_the_mass_centre():
-    """A blow along the normal through the mass centre turns no head; with roll a lower strike has less loft."""
+    """An impact along the normal through the mass centre turns no head; with roll a lower strike has less loft."""
     driver = clubface.club("driver")
     flat = driver.replace(roll=1e4, bulge=1e4)
     square = {"speed": "105 mph", "attack": "3 deg", "loft": "3 deg", "high": "5 mm"}

@@ -26,7 +26,7 @@ def same(one, other):
     return np.array_equal(one._values, other._values, equal_nan=True)
 
 
-def test_a_central_blow_obeys_the_closed_form_of_penner():
+def test_a_central_impact_obeys_the_closed_form_of_penner():
     """CG behind the face centre, square face: v = (1 + e) V / (1 + m/M), no spin. Arithmetic alone: 1e-13."""
     shot = clubface.impact(
         "driver", speed=50.0, loft=0.0, static_loft=0.0, cg_y=0.0, cg_z=0.0, ixy=0.0, ixz=0.0, iyz=0.0,

@@ -7,7 +7,7 @@ import pytest
 
 import clubface
 from clubface import studies
-from clubface.errors import FileError
+from clubface.errors import ClubfaceError, FileError
 from clubface.studies.study import read_study
 from fem_meshes import HEAD, write_mesh
 
@@ -112,11 +112,25 @@ def test_a_report_of_a_store_lists_what_the_study_has_read(tmp_path, clubface_, 
     assert sum_ in (tmp_path / "report.html").read_text()
 
 
+def test_an_impact_speed_by_its_old_name_is_swept_and_not_beside_the_new_one(tmp_path, in_this_process):
+    table, sweep = 'head = "paper"\nball = "reference"\noutputs = ["mass"]', 'blow = ["50 m/s", "51 m/s"]'
+    path = described(tmp_path, "head", table, sweep)
+    with pytest.warns(DeprecationWarning, match="blow of .head. is called impact_speed now"):
+        studies.run(path)
+    studies.join(path, tmp_path / "out.csv")
+    assert len((tmp_path / "out.csv").read_text().splitlines()) == 1 + 2
+    both = described(tmp_path, "head", f'{table}\nimpact_speed = "40 m/s"', sweep)
+    with pytest.raises(ClubfaceError, match=r"blow is given twice.*left out: it is the old name of impact_speed"):
+        studies.run(both, store=tmp_path / "other.store")
+
+
 def test_the_mesh_of_a_head_counts_and_may_be_edited_during_a_run(tmp_path, in_this_process):
     (tmp_path / "heads").mkdir()
     write_mesh(tmp_path / "heads")
     (tmp_path / "heads" / "own.toml").write_text(HEAD)
-    path = described(tmp_path, "head", 'outputs = ["mass"]', 'head = ["heads/own.toml"]\nblow = ["50 m/s", "51 m/s"]')
+    path = described(
+        tmp_path, "head", 'outputs = ["mass"]', 'head = ["heads/own.toml"]\nimpact_speed = ["50 m/s", "51 m/s"]'
+    )
     assert list(read_study(path).files()) == ["heads/head.msh", "heads/own.toml"]
     studies.run(path, progress=lambda *_: write_mesh(tmp_path / "heads", scale=1.1))
     write_mesh(tmp_path / "heads")

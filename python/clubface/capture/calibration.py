@@ -2,8 +2,8 @@
 
 At address the head rests on the ground behind the ball, with the loft and lie it was made with. That the player aims
 the face at the target, and holds the shaft as the maker meant it, is an assumption, whose standard deviations go into
-every delivery read with it. In the blow the head loses what momentum the ball gains, and the ball flies off near the
-face normal, so that loft and face angle follow from the direction in which the head is slowed. The blow says nothing
+every delivery read with it. At impact the head loses what momentum the ball gains, and the ball flies off near the
+face normal, so that loft and face angle follow from the direction in which the head is slowed. The impact says nothing
 about the lie, which is assumed to be that of the club; this is good to a few degrees, on which speed, attack angle,
 path and rates hardly depend.
 
@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.capture.blow import FaceImpact, find_blow, last_before
 from clubface.capture.geometry import Known, usual_place
+from clubface.capture.impact_detection import DetectedImpact, detect_impact, last_before
 from clubface.capture.markers import MarkerMap
 from clubface.capture.recording import Recording
 from clubface.capture.rotations import (
@@ -368,7 +368,7 @@ SHARE = 0.85
 
 
 def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster on the club as the blow of a swing shows it; a :class:`FileError` where none can be read.
+    """Return the cluster on the club as the impact of a swing shows it; a :class:`FileError` where none can be read.
 
     ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
     """
@@ -381,13 +381,13 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     cg = -mean - np.array(club.cg)
     arm = float(np.linalg.norm(np.hypot(spread, TURNED * np.linalg.norm(cg))) / np.sqrt(3.0))
     cg = delivered(club.loft, 0.0, 0.0, club.loft) @ cg
-    blow = find_blow(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
-    attitude = _attitude(blow, mapping, club, ball, where)
-    markers = blow.position + followed.shape @ blow.rotation.T
+    detected = detect_impact(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
+    attitude = _attitude(detected, mapping, club, ball, where)
+    markers = detected.position + followed.shape @ detected.rotation.T
     result = placed(markers, attitude, mapping, club, None)
     deviations = np.sqrt(np.diag(attitude.covariance))
     parts = (
-        Known("loft and face angle at impact, from the blow and what is usual", "assumed", "face",
+        Known("loft and face angle at impact, from how the head is slowed and what is usual", "assumed", "face",
                  attitude.values[:2].tolist(), deviations[:2].tolist()),
         Known("lie at impact", "assumed", "face", [0.0], deviations[2:].tolist()),
     )  # fmt: skip
@@ -411,31 +411,31 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
     return track(first - first.mean(0), seen, names, recording.path)
 
 
-def _attitude(blow: FaceImpact, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
-    """Return loft, face angle and lie at first touch from the direction of the blow, and their covariance."""
+def _attitude(detected: DetectedImpact, mapping: MarkerMap, club: Club, ball: Ball, where: str) -> Attitude:
+    """Return loft, face angle and lie at first touch from how the head is slowed, and their covariance."""
     from clubface.simulation.impact import impact
 
     random = np.random.default_rng(0)
     assumed = mapping.assumed
     mean, spread = _place(mapping, club)
-    change = random.multivariate_normal(blow.later - blow.velocity, blow.covariance, DRAWS, method="eigh")
+    change = random.multivariate_normal(detected.later - detected.velocity, detected.covariance, DRAWS, method="eigh")
     # From the mean of the markers to the CG, in club axes.
     arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
     toe, high = (deviation * random.normal(size=DRAWS).clip(-2.0, 2.0) for deviation in (assumed.toe, assumed.high))
     lie = assumed.delivered_lie * random.normal(size=DRAWS)
     sideways = assumed.blow * random.normal(size=(2, DRAWS))
-    velocity = blow.velocity
+    velocity = detected.velocity
     speed = float(np.linalg.norm(velocity))
     given = {
         "speed": speed, "attack": float(np.arcsin(velocity[1] / speed)),
         "path": float(np.arctan2(velocity[2], velocity[0])), "lie": lie, "toe": toe, "high": high,
-        "lie_rate": -blow.spin[0], "closure": blow.spin[1], "pitch_rate": blow.spin[2],
+        "lie_rate": -detected.spin[0], "closure": detected.spin[1], "pitch_rate": detected.spin[2],
     }  # fmt: skip
     loft, face = np.full(DRAWS, club.loft), np.zeros(DRAWS)
     try:
         for _ in range(SWING_ROUNDS):
             turned = delivered(float(np.nanmedian(loft)), float(np.nanmedian(face)), 0.0, club.loft)
-            pushed = -(change - np.cross(blow.spin, arm @ turned.T))
+            pushed = -(change - np.cross(detected.spin, arm @ turned.T))
             launch = np.arctan2(pushed[:, 1], np.hypot(pushed[:, 0], pushed[:, 2]))
             azimuth = np.arctan2(pushed[:, 2], pushed[:, 0])
             with without_warnings():
@@ -467,6 +467,7 @@ def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
 
 def _fails(club: Club) -> str:
     return (
-        f"the blow drives the ball where no usual impact of {club.name} does: is this the right club, do target and up"
-        ' point where they should, and do the cluster\'s positions hold? If so, give by = "address" in place of "swing"'
+        f"the head is slowed as if the ball went where no usual impact of {club.name} sends it: is this the right"
+        " club, do target and up point where they should, and do the cluster's positions hold? If so, give"
+        ' by = "address" in place of "swing"'
     )

@@ -1,7 +1,7 @@
 """Position and velocity of the clubhead at impact from the frames before it: three estimators with one interface.
 
 The coordinates of a frame are the position of the CG and the rotation vector from the attitude of the last frame. No
-frame after first touch is used, because the blow takes a third of the speed of the head within half a millisecond.
+frame after first touch is used, because impact takes a third of the speed of the head within half a millisecond.
 """
 
 from __future__ import annotations

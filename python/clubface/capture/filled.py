@@ -3,7 +3,7 @@
 Programs fill gaps with a straight line, with the last place seen, or with a spline. A marker of noise never lies on a
 polynomial to the last digit of a file, a calculated one does: its second, fourth or sixth differences vanish, and are
 anything but zero where the gap begins and ends. Such frames show nothing of the club. A line across a gap looks like a
-blow, and a spline across the blow hides it.
+impact, and a spline across the impact hides it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ LAST_DIGIT = 6e-8
 SHARP = 30.0
 """Differences on both sides of a filled gap, where the marker is seen, are at least so many times those that vanish."""
 AROUND = 3
-"""Differences looked at on each side, over their order: so many that a kink, as by the blow, makes less than half of
+"""Differences looked at on each side, over their order: so many that a kink, as by the impact, makes less than half of
 them in a motion without noise."""
 ORDERS = (2, 4, 6)
 """Orders of the differences that vanish on lines, cubics and quintics."""

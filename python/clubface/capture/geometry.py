@@ -59,8 +59,8 @@ class Assumed:
     """Standard deviations [rad, m] of what is assumed where it is not measured.
 
     Golfers who mean to aim square are some 2 degrees off, and the hands lean the shaft. Published models of impact
-    differ in the direction of the blow by 1.2 degrees, and the shaft holds the head a little. The usual delivery has a
-    square face, the lie of the club, and its loft and 3 degrees for a wood, less 7 degrees for an iron.
+    differ in the direction of the impulse by 1.2 degrees, and the shaft holds the head a little. The usual delivery has
+    a square face, the lie of the club, and its loft and 3 degrees for a wood, less 7 degrees for an iron.
     """
 
     face: float = file_key(ANGLE, "of the face angle at address about square", default=2.0 * _DEGREE)
@@ -69,7 +69,7 @@ class Assumed:
     delivered_loft: float = file_key(ANGLE, "of the loft at impact about the usual", default=6.0 * _DEGREE)
     delivered_face: float = file_key(ANGLE, "of the face angle at impact, likewise", default=4.0 * _DEGREE)
     delivered_lie: float = file_key(ANGLE, "of the lie at impact, likewise", default=3.0 * _DEGREE)
-    blow: float = file_key(ANGLE, "of the direction of the blow by the model of impact", default=2.0 * _DEGREE)
+    blow: float = file_key(ANGLE, "of the direction of the impulse by the impact model", default=2.0 * _DEGREE)
     sole: float = file_key(LENGTH, "of the height of the face centre over the ground at address", default=5.0 * _MM)
     place: float | None = file_key(
         LENGTH,

@@ -285,7 +285,7 @@ def follow(
 def follow_until(
     times: Array, followed: Track, touch: float, *, noise: float, name: str, roughness: float, where: str
 ) -> Approach:
-    """Extend the path of the clubhead to an instant of first touch that is known, such as that of the blow.
+    """Extend the path of the clubhead to an instant of first touch that is known, such as that of a detected impact.
 
     The parameters and errors are those of :func:`follow`.
     """

@@ -50,8 +50,8 @@ class Markers:
         axes at the static loft (x towards the target, y up, z towards the toe), or None if a calibration gives it.
     by
         What places the cluster on the club: its given "positions"; points of the "face" that are seen with it; the
-        "address", in which the head rests on the ground with a square face; or the "swing", whose blow shows where the
-        face looks. None is "positions" if they are given, and else "face".
+        "address", in which the head rests on the ground with a square face; or the "swing", in which impact shows where
+        the face looks. None is "positions" if they are given, and else "face".
     face
         Calibration points on the face, by marker; empty if the positions of the cluster are given.
     calibration
@@ -351,7 +351,7 @@ club = "driver"               # optional: refuses swings recorded for another cl
 
 [calibration]
 by = "face"                   # "face": by points of the face, below; "positions": by those under [cluster];
-                              # "address": by the head at rest behind the ball; "swing": by the blow, roughly
+                              # "address": by the head at rest behind the ball; "swing": by how impact slows it, roughly
 file = "calibration.c3d"      # for "face" and "address": where that is seen; left out, the file of the swing
 accuracy = "0.3 mm"           # how well the positions given here are known, a standard deviation; 1 mm if left out
 # frames = [1, 90]            # for "address": its first and last frame; found if left out

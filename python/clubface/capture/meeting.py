@@ -1,4 +1,4 @@
-"""Where and when the clubhead meets the ball: by a ball that is seen or given, or by the blow in the head's path."""
+"""Where and when the clubhead meets the ball: by a ball that is seen or given, or by where the head loses speed."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface.capture.ball_flight import RestingBall, resting_places
-from clubface.capture.blow import FEWEST, End, FaceImpact, find_blow, impact_at_end, last_before
 from clubface.capture.calibration import Registration
 from clubface.capture.geometry import Known
+from clubface.capture.impact_detection import FEWEST, DetectedImpact, End, detect_impact, impact_at_end, last_before
 from clubface.capture.impact_frame import Approach, find_impact, follow, follow_until
 from clubface.capture.recording import Recording
 from clubface.capture.reduction import Evidence, series
@@ -25,7 +25,7 @@ FLOOR = 1e-6
 CG_DEVIATION = 3e-3
 """Metres; standard deviation of the CG of a club as its file gives it."""
 SURE = 5e-3
-"""Metres; a given ball known so well tells the instant of impact as well as the blow does, 0.1 ms of a drive."""
+"""Metres; a given ball known so well tells the instant of impact as well as loss of speed does, 0.1 ms of a drive."""
 ANYWHERE = 1.0
 """Metres; standard deviation of the place of a ball that is not known."""
 SURPRISING = 2.5
@@ -46,7 +46,7 @@ class Meeting(NamedTuple):
     seen_ball
         Its centre in every frame, shape (frames, 3); NaN where it is not seen.
     evidence
-        What the blow tells, if that is used.
+        The impact detected in the head's path, if that is used.
     noise, noise_freedom
         Of a marker along an axis [m], and the degrees of freedom of its estimate; 0 if it was given.
     notes
@@ -76,7 +76,7 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
     mapping = setup.mapping
     if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):
         try:
-            return _by_blow(recording, followed, cluster, setup, turn)
+            return _by_impact(recording, followed, cluster, setup, turn)
         except FileError as error:
             if mapping.ball_position is None:
                 end = impact_at_end(recording.times, followed)
@@ -108,13 +108,13 @@ def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -
     return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (parts,))
 
 
-def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
+def _by_impact(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
     where, mapping, times = recording.path, setup.mapping, recording.times
     noise, freedom = _noise(followed, last_before(times, followed, where), setup, where)
     arm = max(float(np.sqrt(np.max(np.linalg.eigvalsh(cluster.covariance[:3, :3])))), CG_DEVIATION)
-    blow = find_blow(times, followed, noise=noise, arm=arm, where=where, roughness=setup.roughness)
+    detected = detect_impact(times, followed, noise=noise, arm=arm, where=where, roughness=setup.roughness)
     approach = follow_until(
-        times, followed, blow.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
+        times, followed, detected.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
     )
     if mapping.ball_position is None:
         centre, deviation = _in_front(approach, setup), ANYWHERE
@@ -123,9 +123,11 @@ def _by_blow(recording: Recording, followed: Track, cluster: Registration, setup
         centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
         parts = [Known("centre of the ball", "given", "toe", deviations=[deviation])]
     parts.append(
-        Known("instant of first touch, from the blow", "measured", "contact_time", deviations=[blow.deviation])
+        Known("instant of first touch, by loss of speed", "measured", "contact_time", deviations=[detected.deviation])
     )
-    return _met(approach, centre, deviation, blow.deviation, (noise, freedom), setup, times, _blow_notes(blow), parts)
+    return _met(
+        approach, centre, deviation, detected.deviation, (noise, freedom), setup, times, _impact_notes(detected), parts
+    )
 
 
 def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
@@ -171,7 +173,7 @@ def _met(
 
 
 def _in_front(approach: Approach, setup: Setup) -> Array:
-    """Return where the centre of a ball lies that touches the face centre at the instant of the blow [m]."""
+    """Return where the centre of a ball lies that touches the face centre at the instant of impact [m]."""
     head, now = setup.club, np.zeros(())
     values = series(approach.path.position, now)
     attitude = exponential(values[3:]) @ approach.attitude
@@ -180,11 +182,11 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
     return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
 
 
-def _blow_notes(blow: FaceImpact) -> tuple[Note, ...]:
-    taken = note("capture-blow", lost=blow.lost)
-    if blow.again is None:
+def _impact_notes(detected: DetectedImpact) -> tuple[Note, ...]:
+    taken = note("capture-blow", lost=detected.lost)
+    if detected.again is None:
         return (taken,)
-    return taken, note("capture-blow-again", frame=blow.before + 1, again=blow.again + 1)
+    return taken, note("capture-blow-again", frame=detected.before + 1, again=detected.again + 1)
 
 
 def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:

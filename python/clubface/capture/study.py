@@ -298,21 +298,23 @@ def bare_study(
     """Read synthetic swings that show three markers on the head and no ball, and compare with the truth.
 
     What the reader assumes is drawn for every swing from the spreads that it assumes: angles at address, the place of
-    the markers, lie and impact point. The blow is that of another published model from swing to swing, so that the
+    the markers, lie and impact point. The impact is that of another published model from swing to swing, so that the
     reader's own model is not the truth. The parameters are those of :func:`study`; errors are by the way of calibration
     instead of the estimator, and a swing that is refused has NaN.
     """
     check_swings(count, seed)
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
     head = club_of_hand(club, hand)
-    names, blows = tuple(ways), tuple(models())
+    names, impact_models = tuple(ways), tuple(models())
     errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
     touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)
     for number in range(count):
         asked = asked_at_random(np.random.default_rng([seed, number, 2]))
-        blow = blows[number % len(blows)]
+        impact_model = impact_models[number % len(impact_models)]
         with without_warnings():
-            swing = random_swing(np.random.default_rng([seed, number, 0]), club=head, hand=None, model=blow, **asked)
+            swing = random_swing(
+                np.random.default_rng([seed, number, 0]), club=head, hand=None, model=impact_model, **asked
+            )
         truths[number] = [swing.truth[name] for name in QUANTITIES]
         bare = record_bare(swing, seen, np.random.default_rng([seed, number, 1]))
         for place, name in enumerate(names):

@@ -12,6 +12,7 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
 from clubface.support.extras import missing_extra
+from clubface.support.renamed import RENAMED
 
 
 class Interrupted(BaseException):
@@ -112,6 +113,7 @@ def show_warnings() -> None:
     ``clubface clubs`` notes that the ball `published` is a little below the rule limit; it is not repeated each time.
     """
     warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
+    warnings.filterwarnings("default", message=RENAMED, category=DeprecationWarning)
 
     def note(message: Warning | str, *rest: object) -> None:
         print_note(f"note: {message}")

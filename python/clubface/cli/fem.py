@@ -55,13 +55,14 @@ FACE = options.group(None, {
 })  # fmt: skip
 TESTS = options.group("Tests", {
     "measure": (bool, False, None, "Also simulate restitution and characteristic time; takes seconds."),
-    "blow": (str | None, None, '"125 mph"', "Also simulate a blow: the stress, and where the metal yields."),
-    "toe": (str | None, None, '"8 mm"', "With --measure or --blow: how far towards the toe."),
-    "high": (str | None, None, '"3 mm"', "With --measure or --blow: how far above the face centre."),
-    "ball": (str | None, None, "NAME|FILE", "With --measure or --blow: the ball; modern unless given."),
-    "safety": (float | None, None, "SHARE", "With --measure or --blow: the time step over the stable one."),
-    "meshes": (int, 3, "COUNT", "With --blow: number of meshes, 1 to 3, to see how far the stress depends on them."),
+    "impact_speed": (str | None, None, '"125 mph"', "Also simulate an impact: the stress, and where the metal yields."),
+    "toe": (str | None, None, '"8 mm"', "With --measure or --impact-speed: how far towards the toe."),
+    "high": (str | None, None, '"3 mm"', "With --measure or --impact-speed: how far above the face centre."),
+    "ball": (str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; modern unless given."),
+    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: the time step over the stable one."),
+    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, on which the stress is compared."),
 })  # fmt: skip
+OLD_TESTS = {"blow": "impact_speed"}
 
 
 @app.command("ball")
@@ -74,27 +75,28 @@ def ball(name: Annotated[str, typer.Argument(metavar="NAME|FILE", help=BALL)], *
 
 
 @app.command("head")
-@options.takes(TESTS, show.REPORT, show.JSON)
+@options.takes(TESTS, show.REPORT, show.JSON, options.renamed(**OLD_TESTS))
 def head(name: HeadArgument, **texts: Any) -> None:
     """Mesh a head and report mass, CG, inertia, how it was tuned and, on request, restitution and stress."""
     from clubface import fem
     from clubface.fem import head_tests, stress
     from clubface.fem.head_result import head_result
 
+    options.take_renamed(texts, **OLD_TESTS)
     shown = show.Output.check(texts, [name])
     meshes = check_count("--meshes", texts["meshes"], 1, 3)
     made = fem.head(name)
-    given = {name: texts[name] for name in ("blow", "toe", "high", "ball")}
+    given = {name: texts[name] for name in ("impact_speed", "toe", "high", "ball")}
     given["time step over the stable one"] = texts["safety"]
     place: dict[str, Any] = {
         each: options.parsed(f"--{each}", given[each], "length") for each in ("toe", "high") if given[each] is not None
     }
     how: dict[str, Any] = {**place, "ball": texts["ball"], "safety": texts["safety"]}
-    if not texts["measure"] and texts["blow"] is None and any(value is not None for value in given.values()):
-        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --blow")
-    speed = None if texts["blow"] is None else options.parsed("--blow", texts["blow"], "speed")
+    if not texts["measure"] and texts["impact_speed"] is None and any(value is not None for value in given.values()):
+        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --impact-speed")
+    speed = None if texts["impact_speed"] is None else options.parsed("--impact-speed", texts["impact_speed"], "speed")
     if speed is not None and not speed > 0.0:
-        raise InputError("--blow", texts["blow"], "above 0 m/s")
+        raise InputError("--impact-speed", texts["impact_speed"], "above 0 m/s")
     tests, struck = {}, None
     if texts["measure"]:
         tests = run_with_progress(
@@ -107,10 +109,10 @@ def head(name: HeadArgument, **texts: Any) -> None:
         )
     if speed is not None:
         struck = run_with_progress(
-            lambda progress: stress.blow_stress(name, speed=speed, **how, meshes=meshes, progress=progress)
+            lambda progress: stress.impact_stress(name, speed=speed, **how, meshes=meshes, progress=progress)
         )
     inputs = {each: str(value) for each, value in given.items() if value is not None}
-    shown.show(head_result(made, tests=tests, blow=struck, inputs=inputs))
+    shown.show(head_result(made, tests=tests, stress=struck, inputs=inputs))
 
 
 @app.command("face")

@@ -14,6 +14,7 @@ from clubface.cli.failures import print_note
 from clubface.equipment.models import DEFAULT_MODEL, model, models, models_with
 from clubface.errors import ClubfaceError, InputError, UnknownNameError
 from clubface.support.checks import check_choice, check_names
+from clubface.support.renamed import warn_renamed
 
 Group = Mapping[str, tuple[Any, Any]]
 """Options by the name of their value: annotation and default."""
@@ -43,6 +44,25 @@ def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]
         shown = typer.Option(flag, metavar=metavar, rich_help_panel=panel, help=text, show_default=default is not None)
         options[name] = (Annotated[kind, shown], default)
     return options
+
+
+def renamed(**names: str) -> Group:
+    """Return options, each of one text, by their old names, which no help shows; :func:`take_renamed` moves them."""
+    return {
+        old: (Annotated[str | None, typer.Option(f"--{old.replace('_', '-')}", hidden=True)], None) for old in names
+    }
+
+
+def take_renamed(texts: dict[str, Any], **names: str) -> None:
+    """Move what was given by an old name to the new one, with a warning."""
+    for old, new in names.items():
+        text = texts.pop(old)
+        if text is not None:
+            flags = [f"--{name.replace('_', '-')}" for name in (old, new)]
+            if texts[new] is not None:
+                raise InputError(flags[0], text, f"left out: it is the old name of {flags[1]}, which is given as well")
+            warn_renamed(*flags)
+            texts[new] = text
 
 
 def _quantities(subject: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:

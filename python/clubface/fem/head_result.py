@@ -7,7 +7,7 @@ from typing import Any
 
 from clubface.equipment.rules import RuleVerdict, rules, rules_of
 from clubface.fem.heads import MeshedHead, ShellHead
-from clubface.fem.stress import BlowStress, stress_picture
+from clubface.fem.stress import ImpactStress, stress_picture
 from clubface.results.notes import Note, note
 from clubface.results.provenance import Provenance
 from clubface.results.result import Result
@@ -25,7 +25,7 @@ def head_result(
     head: MeshedHead,
     *,
     tests: Mapping[str, float] | None = None,
-    blow: BlowStress | None = None,
+    stress: ImpactStress | None = None,
     inputs: Mapping[str, str] | None = None,
 ) -> Result:
     """Return a head as a result.
@@ -36,10 +36,10 @@ def head_result(
         The head.
     tests
         Its restitution and characteristic time [s], by name, where they were measured.
-    blow
-        The stress under a blow.
+    stress
+        The stress in an impact.
     inputs
-        What tests and blow were given, in words: "blow", "toe", "ball".
+        What tests and impact were given, in words: "impact_speed", "toe", "ball".
     """
     asked = dict(head.asked) if isinstance(head, ShellHead) else {}
     measured, inputs = dict(tests or {}), dict(inputs or {})
@@ -63,16 +63,16 @@ def head_result(
     return Result(
         kind="head", title=title,
         tables=(Table("head", (text("row", rows, label=""), *columns), title, "transposed"),
-                *(() if blow is None else _stress_tables(blow, inputs))),
-        summary=tuple(_summary(head, measured, blow, inputs)),
-        notes=(*_verdict(head, measured, inputs), *(blow.notes() if blow is not None else ()), *notes),
+                *(() if stress is None else _stress_tables(stress, inputs))),
+        summary=tuple(_summary(head, measured, stress, inputs)),
+        notes=(*_verdict(head, measured, inputs), *(stress.notes() if stress is not None else ()), *notes),
         provenance=Provenance({"head": head.name, "elements": str(head.elements), **inputs}),
-        draw=None if blow is None else lambda: [stress_picture(blow, head.loft)],
+        draw=None if stress is None else lambda: [stress_picture(stress, head.loft)],
     )  # fmt: skip
 
 
-def _stress_tables(blow: BlowStress, inputs: Mapping[str, str]) -> Iterator[Table]:
-    parts = blow.parts
+def _stress_tables(stress: ImpactStress, inputs: Mapping[str, str]) -> Iterator[Table]:
+    parts = stress.parts
     places = (("x", "to the target"), ("y", "above centre"), ("z", "to the toe"))
     yield Table(
         "stress",
@@ -87,7 +87,7 @@ def _stress_tables(blow: BlowStress, inputs: Mapping[str, str]) -> Iterator[Tabl
             *([column("spread", [part.spread for part in parts], "1", label="spread by mesh", unit="%", digits=0)]
               if parts[0].spread is not None else []),
         ),
-        f"A blow at {inputs.get('blow', 'the club')}",
+        f"An impact at {inputs.get('impact_speed', 'the club')}",
     )  # fmt: skip
     meshes = [(part.part, elements, stress) for part in parts for elements, stress in part.by_mesh]
     names, elements, stresses = zip(*meshes, strict=True)
@@ -99,29 +99,29 @@ def _stress_tables(blow: BlowStress, inputs: Mapping[str, str]) -> Iterator[Tabl
 
 
 def _summary(
-    head: MeshedHead, measured: Mapping[str, float], blow: BlowStress | None, inputs: Mapping[str, str]
+    head: MeshedHead, measured: Mapping[str, float], stress: ImpactStress | None, inputs: Mapping[str, str]
 ) -> Iterator[Note]:
     yield note("head-mass", mass=head.club.mass, iyy=head.club.iyy)
     if head.club.kind == "wood":
         yield note("inertia-limit", limit_iyy=rules()["moment_of_inertia"].most)
     if measured:
         yield note("face-gives", **measured)
-    if blow is None:
+    if stress is None:
         return
-    named = {"blow": inputs.get("blow", "the club")}
-    known = [part for part in blow.parts if part.margin is not None]
+    named = {"blow": inputs.get("impact_speed", "the club")}
+    known = [part for part in stress.parts if part.margin is not None]
     for part in known:
         if part.margin is not None and part.margin < 0.0:
             yield note(
                 "part-yields", part=part.part, stress=part.stress, yield_stress=part.yield_stress,
-                bearable_speed=blow.speed * (1.0 + part.margin), **named,
+                bearable_speed=stress.speed * (1.0 + part.margin), **named,
             )  # fmt: skip
     weakest = min(known, key=lambda part: part.margin or 0.0, default=None)
     if weakest is not None and weakest.margin is not None and weakest.margin >= 0.0:
         yield note("no-part-yields", part=weakest.part, margin=weakest.margin, **named)
-    if others := [part.part for part in blow.parts if part.margin is None]:
+    if others := [part.part for part in stress.parts if part.margin is None]:
         yield note("no-yield-stress", parts=others)
-    peak = max(blow.parts, key=lambda part: part.stress)
+    peak = max(stress.parts, key=lambda part: part.stress)
     places = dict(zip(("forward", "high", "toe"), peak.place, strict=True))
     yield note("largest-stress", part=peak.part, stress=peak.stress, **places)
     if peak.spread is not None:

@@ -76,8 +76,8 @@ def restitution(
     -------
     float
         The speed at which ball and head part along the normal of first touch, divided by the speed at which they met.
-        The speed of the head is that of a rigid body where it was touched. For a blow in front of the CG this is e = v
-        (M + m) / (M V) - 1, for a ball of mass m that leaves with v and a head of mass M that arrives with V.
+        The speed of the head is that of a rigid body where it was touched. For an impact in front of the CG this is
+        e = v (M + m) / (M V) - 1, for a ball of mass m that leaves with v and a head of mass M that arrives with V.
 
     Raises
     ------

@@ -159,7 +159,7 @@ def spin_factor(impact: Impact) -> float:
     """Return the compression factor that follows from the backspin by equation 6 of Roh and Lee.
 
     In that equation the ball rolls off the face. Roh and Lee derive their f from the forces instead, by equations 9 and
-    11. NaN for a blow without velocity along the face.
+    11. NaN for an impact without velocity along the face.
     """
     approach = sum(impact.relative_velocity()[:1, 1])
     if not approach > 0.0:

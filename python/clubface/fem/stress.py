@@ -1,4 +1,4 @@
-"""The strength of a head: the largest stress of each part under a hard blow, and the stress at which it yields."""
+"""The strength of a head: the largest stress of each part in a hard impact, and the stress at which it yields."""
 
 from __future__ import annotations
 
@@ -20,15 +20,19 @@ from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.support.renamed import renamed_names
 
 if TYPE_CHECKING:
     import os
 
     from clubface.fem.result import Impact
 
-__all__ = ["BlowStress", "PartStress", "SurfaceStress", "blow_stress", "peak_stress", "stress_picture"]
+__all__ = ["ImpactStress", "PartStress", "SurfaceStress", "impact_stress", "peak_stress", "stress_picture"]
 
-BLOW = "125 mph"
+if not TYPE_CHECKING:
+    __getattr__ = renamed_names(__name__, BlowStress="ImpactStress", blow_stress="impact_stress")
+
+IMPACT_SPEED = "125 mph"
 """Speed of the club where none is given: about the most that professionals on tour reach with a driver."""
 DURATION = 0.8e-3
 """Duration of the run [s]: longer than any contact with a ball."""
@@ -110,8 +114,8 @@ class SurfaceStress:
 
 
 @dataclass(frozen=True, eq=False)
-class BlowStress:
-    """What a blow does to a head.
+class ImpactStress:
+    """The stress of a head in an impact.
 
     Attributes
     ----------
@@ -133,24 +137,24 @@ class BlowStress:
         return notes if self.parts[0].spread is not None else [*notes, note("mesh-dependence-unknown")]
 
 
-def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **blow: Any) -> list[PartStress]:
-    """Return the largest stress of each part of a head under a blow, as :func:`blow_stress` finds it."""
-    return list(blow_stress(head, **blow).parts)
+def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **options: Any) -> list[PartStress]:
+    """Return the largest stress of each part of a head in an impact, as :func:`impact_stress` finds it."""
+    return list(impact_stress(head, **options).parts)
 
 
-def blow_stress(
+def impact_stress(
     head: str | os.PathLike[str] | MeshedHead | Design,
     *,
     ball: AnyBall = None,
-    speed: float | str = BLOW,
+    speed: float | str = IMPACT_SPEED,
     friction: float | str | None = None,
     safety: float | None = None,
     threads: int = 0,
     meshes: int = 1,
     progress: Progress | None = None,
     **delivery: Any,
-) -> BlowStress:
-    """Compute the stress of a head under a blow.
+) -> ImpactStress:
+    """Compute the stress of a head in an impact.
 
     The metals stay elastic for it, whether they yield or not, so that the stress may exceed the one at which they
     yield: the margin then says by how much a design is too weak. It is the stress on the two sides of a shell (at its
@@ -171,7 +175,7 @@ def blow_stress(
     safety, threads
         As of :class:`clubface.fem.Settings`.
     meshes
-        On how many meshes the blow is computed, 1 to 3, to see how far its stress depends on the mesh: that of the
+        On how many meshes the impact is computed, 1 to 3, to see how far its stress depends on the mesh: that of the
         head, then one with 1.25 and one with 1.5 times as many elements along each edge. A head that is not made from
         dimensions has one mesh.
     **delivery
@@ -207,7 +211,7 @@ def blow_stress(
         replace(part, by_mesh=tuple((each.elements, run[k].stress) for each, (run, _) in zip(made, runs, strict=True)))
         for k, part in enumerate(first)
     )
-    return BlowStress(tuple(parts), surface, units.parse(speed, "speed", name="speed"))
+    return ImpactStress(tuple(parts), surface, units.parse(speed, "speed", name="speed"))
 
 
 def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> list[MeshedHead]:
@@ -306,19 +310,19 @@ FACING = 0.25
 """Cosine of the angle between a quadrilateral's normal and the view above which it is seen."""
 
 
-def stress_picture(blow: BlowStress, loft: float) -> Picture:
+def stress_picture(stress: ImpactStress, loft: float) -> Picture:
     """Return the stress over the surface of a head when it is largest, and a bar for the largest of each part.
 
     A cross marks the place of the largest stress. A line across a bar is where the metal yields, if that is known.
 
     Parameters
     ----------
-    blow
-        The stress.
+    stress
+        What :func:`impact_stress` computed.
     loft
         Elevation of the face normal at the face centre [rad].
     """
-    surface, parts = blow.surface, blow.parts
+    surface, parts = stress.surface, stress.parts
     normals = area_vectors(surface.nodes, surface.quads)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     out, up = np.array([np.cos(loft), np.sin(loft), 0.0]), np.array([-np.sin(loft), np.cos(loft), 0.0])

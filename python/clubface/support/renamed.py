@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import sys
 from collections.abc import Callable
 from typing import Any, ParamSpec, TypeVar
 
@@ -11,6 +12,9 @@ from clubface.support.checks import warn_once
 GONE_WITH = "0.3.0"
 """The version that takes no old names any more: the next minor one."""
 
+RENAMED = ".* is called .* now; version"
+"""The beginning of the warnings, as a pattern."""
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -18,6 +22,31 @@ T = TypeVar("T")
 def warn_renamed(old: str, new: str) -> None:
     """Warn once in a process that something has another name now."""
     warn_once(f"{old} is called {new} now; version {GONE_WITH} has the new name alone", DeprecationWarning)
+
+
+def renamed_names(module: str, **names: str) -> Callable[[str], Any]:
+    """Return a ``__getattr__`` by which a module has names by their old ones too.
+
+    ::
+
+        if not TYPE_CHECKING:  # else no misspelt name is an error to a type checker
+            __getattr__ = renamed_names(__name__, Blow="FaceImpact")
+
+    Parameters
+    ----------
+    module
+        The name of the module.
+    names
+        The new names by the old ones.
+    """
+
+    def get(name: str) -> Any:
+        if name not in names:
+            raise AttributeError(f"module {module!r} has no attribute {name!r}", name=name, obj=sys.modules[module])
+        warn_renamed(f"{module}.{name}", names[name])
+        return getattr(sys.modules[module], names[name])
+
+    return get
 
 
 def renamed_arguments(**names: str) -> Callable[[Callable[P, T]], Callable[P, T]]:

@@ -95,7 +95,7 @@ fn a_ball_without_friction_leaves_along_the_normal_without_spin() {
 /// Far beyond the limit of friction the ball slides throughout, and the tangential impulse is friction times the normal
 /// one; far below, more friction changes little.
 #[test]
-fn friction_limits_the_spin_of_a_grazing_blow() {
+fn friction_limits_the_spin_of_a_grazing_impact() {
     let spin = |loft: f64, friction: f64| {
         let parameters = published_but(RESPONSE, Club::Iron, &[("friction", friction)]);
         let inputs = simple_head(0.0).with(&[("loft", loft), ("attack", 0.0)]);

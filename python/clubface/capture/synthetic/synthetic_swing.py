@@ -1,4 +1,4 @@
-"""Synthetic swings whose delivery is known: a clubhead on its path, a ball at rest, the blow, and what follows.
+"""Synthetic swings whose delivery is known: a clubhead on its path, a ball at rest, the impact, and what follows.
 
 The clubhead is the end of a chain of rigid links, in closed form, so that its velocities are known exactly. An arm and
 a club turn in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and vibrates.
@@ -157,7 +157,7 @@ def _sway(amplitude: Array, frequency: Array, phase: Array, time: Any) -> Any:
 CONTACT_TIME = 0.45e-3
 """Seconds; measured impacts of golf balls last 0.4 to 0.5 ms at a driver's speed."""
 RESTRAINT = 250.0
-"""1/s; the shaft turns a head back that the blow has twisted: as at 40 Hz, critically damped. A shaft of a torque of 4
+"""1/s; the shaft turns a head back that impact has twisted: as at 40 Hz, critically damped. A shaft of a torque of 4
 degrees at 1 ft lb lets a driver's head swing at 31 Hz about it, and bends less than it twists."""
 TEE = 0.03
 """Metres; height of a tee."""
@@ -175,7 +175,7 @@ class SyntheticSwing:
     truth
         The exact delivery by name [SI], with the signs of :class:`Delivery`.
     launch
-        The launch by the model of the blow [SI].
+        The launch by the impact model [SI].
     chain
         The motion of a right-hander before impact, before it is turned into place.
     fixed
@@ -185,9 +185,9 @@ class SyntheticSwing:
     rest
         Centre of the ball before impact [m], as for a right-hander.
     slowed
-        Changes of the head's velocity [m/s] and angular velocity [rad/s] by the blow, as for a right-hander.
+        Changes of the head's velocity [m/s] and angular velocity [rad/s] by the impact, as for a right-hander.
     struck
-        Velocity of the ball after the blow [m/s], as for a right-hander.
+        Velocity of the ball after the impact [m/s], as for a right-hander.
     """
 
     club: Club
@@ -294,7 +294,7 @@ def _between(start: Array, end: Array) -> Array:
 
 
 def _gained(time: Array) -> Array:
-    """Return how far [m] a body goes by a blow that gives it 1 m/s: a half sine of force over the contact."""
+    """Return how far [m] a body goes by an impact that gives it 1 m/s: a half sine of force over the contact."""
     part = np.clip(time / CONTACT_TIME, 0.0, 1.0)
     return 0.5 * CONTACT_TIME * (part - np.sin(np.pi * part) / np.pi) + np.maximum(time - CONTACT_TIME, 0.0)
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from clubface.design.shells.goal import Goal
 from clubface.design.shells.metals import MetalChoice, NamedMetal
 from clubface.design.shells.run import improve
-from clubface.design.shells.study import Blow, ShellStudy, read
+from clubface.design.shells.study import FaceImpact, ShellStudy, read
 from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
+from clubface.support.renamed import renamed_names
 
 __all__ = [
-    "Blow", "Goal", "MetalChoice", "NamedMetal", "SearchResult", "ShellStudy", "Step", "improve", "read",
+    "FaceImpact", "Goal", "MetalChoice", "NamedMetal", "SearchResult", "ShellStudy", "Step", "improve", "read",
     "trust_region_search",
 ]  # fmt: skip
+
+if not TYPE_CHECKING:
+    __getattr__ = renamed_names(__name__, Blow="FaceImpact")

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.design.shells.families import FaceWall, Head, face_parts, mesh_shells
-from clubface.design.shells.study import ShellStudy
+from clubface.design.shells.study import FaceImpact, ShellStudy
+from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import RunError
 from clubface.fem import head_tests
@@ -68,7 +69,7 @@ def rigid_values(head: ShellHead) -> dict[str, float]:
 
 
 SHAPES = round(Settings.duration / INTERVAL) + 1
-"""Times at which the stress of the hardest blow is looked at: as often as ``fem head --blow`` does."""
+"""Times at which the stress of the hardest impact is looked at: as often as ``fem head --impact-speed`` does."""
 
 Task = tuple[str, int]
 
@@ -88,7 +89,7 @@ class Engine:
         study = self._study
         tasks: list[Task] = [("time", 0), *(("shot", place) for place in range(len(study.delivery.points)))]
         if study.hardest is not None:
-            tasks += [("blow", place) for place in range(len(study.hardest.points))]
+            tasks += [("hardest", place) for place in range(len(study.hardest.points))]
         heads = [mesh_shells(design) for design in designs]
         names = [fingerprint(design) for design in designs]
         points = [(number, task) for number in range(len(heads)) for task in tasks]
@@ -107,17 +108,17 @@ class Engine:
         try:
             if kind == "time":
                 return {"characteristic_time": head_tests.characteristic_time(head, threads=threads, progress=going)}
-            blow = study.delivery if kind == "shot" else study.hardest
-            assert blow is not None
-            frames = {"frames": SHAPES, "fields": True} if kind == "blow" else {}
+            struck = study.delivery if kind == "shot" else study.hardest
+            assert struck is not None
+            frames = {"frames": SHAPES, "fields": True} if kind == "hardest" else {}
             settings = Settings(until_separation=True, threads=threads, **frames)
             result = strike(
-                head, ball=study.ball, settings=settings, progress=going, **blow.at(blow.points[place])
+                head, ball=study.ball, settings=settings, progress=going, **struck.at(struck.points[place])
             )  # fmt: skip
             result.check_complete()
         except RunError:
             return {}
-        if kind == "blow":
+        if kind == "hardest":
             return face_stress(result, head)
         launch = result.launch
         assert launch is not None
@@ -131,7 +132,7 @@ def face_stress(impact: Any, head: ShellHead) -> dict[str, float]:
 
 
 def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
-    """Return all quantities: means of the shots, the greatest stress of the blows."""
+    """Return all quantities: means of the shots, the greatest stress of the hardest impacts."""
     collected: dict[str, list[float]] = {}
     for quantities in runs:
         for name, value in quantities.items():
@@ -144,7 +145,7 @@ def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]
 SHARE = 2.0 * math.acos(0.9)
 """Phase of a half swing that lies outside 5% and 95% of the change of speed [rad]."""
 PATCH, CONTACT = 0.012, 450e-6
-"""Usual radius of the ball's patch [m] and time of contact [s] in the hardest blow."""
+"""Usual radius of the ball's patch [m] and time of contact [s] in the hardest impact."""
 LONGEST = 400e-6
 """Most that a plate's characteristic time is taken for [s]: the launch of slower faces is not known."""
 
@@ -178,9 +179,9 @@ class FastModel:
         return values
 
 
-def _launch(study: ShellStudy, club: Any, blow: Any) -> Any:
-    toe, high = (np.array([point[axis] for point in blow.points]) for axis in (0, 1))
-    return impact(club, blow.delivery, toe=toe, high=high, model=DEFAULT_MODEL, ball=study.ball.rigid)
+def _launch(study: ShellStudy, club: Club, struck: FaceImpact) -> Any:
+    toe, high = (np.array([point[axis] for point in struck.points]) for axis in (0, 1))
+    return impact(club, struck.delivery, toe=toe, high=high, model=DEFAULT_MODEL, ball=study.ball.rigid)
 
 
 def face_radius(head: ShellHead) -> float:

@@ -214,7 +214,7 @@ def _search(
         )  # fmt: skip
     except RunError as error:
         raise RunError(
-            f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest blow"
+            f"{study.head.name} of {metal.name}: {error}; try a thicker face, or a slower hardest impact"
         ) from error
     return Search(metal=metal, goal=goal, result=result)
 

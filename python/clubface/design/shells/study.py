@@ -120,7 +120,7 @@ def design_quantity(name: str) -> Quantity:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Blow:
+class FaceImpact:
     """A delivery, and where on the face it strikes: distances to the toe and above the face centre [m]."""
 
     delivery: Mapping[str, Any]
@@ -142,7 +142,9 @@ POINTS = Items(
     Items(REACH, 2, 2, "a distance to the toe and one above the face centre"), 1, MOST_POINTS,
     f'1 to {MOST_POINTS} points, each to the toe and above the face centre, as in [["0 mm", "0 mm"]]',
 )  # fmt: skip
-BLOW = Record({**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS})
+FACE_IMPACT = Record(
+    {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
+)
 """A delivery; ``points`` say where it strikes."""
 VARIABLE_TABLES = {
     "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
@@ -222,7 +224,7 @@ class ShellStudy(_Asked):
     delivery
         The delivery of ball speed and carry; their mean over the points counts.
     hardest
-        The hardest blow, whose stress the face must stand; None to leave the stress out.
+        The hardest impact, whose stress the face must stand; None to leave the stress out.
     metals
         The metals to choose from, of a mesh by group; without any, that of the head.
     safety
@@ -242,8 +244,8 @@ class ShellStudy(_Asked):
     """
 
     bounds: Mapping[str, tuple[float, float]]
-    delivery: Blow
-    hardest: Blow | None = None
+    delivery: FaceImpact
+    hardest: FaceImpact | None = None
 
     def __post_init__(self) -> None:
         check_choice("objective", self.objective, OBJECTIVES)
@@ -271,7 +273,7 @@ class ShellStudy(_Asked):
                 name, metal = self.family.metal(part.name, choice)
                 if part.face and metal.yield_stress is None:
                     raise InputError(
-                        "yield", None, f"the yield stress of {name}, which the hardest blow is held against"
+                        "yield", None, f"the yield stress of {name}, which the hardest impact is held against"
                     )
         self._check_heads()
 
@@ -288,7 +290,7 @@ class ShellStudy(_Asked):
             raise InputError("limits.volume", shown["volume"], "left out: the mesh is open and has no volume")
 
     def _check_heads(self) -> None:
-        """Refuse bounds at which there is no head, and blows that miss the face, before anything runs."""
+        """Refuse bounds at which there is no head, and impacts that miss the face, before anything runs."""
         with without_warnings():
             for name, bounds in self.bounds.items():
                 for value in bounds:
@@ -298,11 +300,11 @@ class ShellStudy(_Asked):
                         allowed = f"bounds at which there is a head ({error})"
                         raise InputError(f"variables.{name}", show(name, value), allowed) from error
             club = self.at(self.start(), self.choices[0]).mesh().club
-            blows = {"delivery": self.delivery, **({} if self.hardest is None else {"hardest": self.hardest})}
-            for table, blow in blows.items():
-                for point in blow.points:
+            impacts = {"delivery": self.delivery, **({} if self.hardest is None else {"hardest": self.hardest})}
+            for table, struck in impacts.items():
+                for point in struck.points:
                     try:
-                        impact(club, blow.at(point), ball=self.ball.rigid)
+                        impact(club, struck.at(point), ball=self.ball.rigid)
                     except ShotError as error:
                         raise ShotError(f"{table}.{error.parameter}", error.value, error.allowed) from None
 
@@ -355,9 +357,11 @@ class ShellFile(_Asked):
 
     golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
     variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what changes, within bounds")
-    delivery: Mapping[str, Any] = file_key(BLOW, "the delivery, and the points that it strikes", default_factory=dict)
+    delivery: Mapping[str, Any] = file_key(
+        FACE_IMPACT, "the delivery, and the points that it strikes", default_factory=dict
+    )
     hardest: Mapping[str, Any] | None = file_key(
-        BLOW, "what is other in the hardest blow, whose stress the face must stand", default=None
+        FACE_IMPACT, "what is other in the hardest impact, whose stress the face must stand", default=None
     )
 
     def study(self) -> ShellStudy:
@@ -366,24 +370,26 @@ class ShellFile(_Asked):
         hardest = None
         if self.hardest is not None:
             delivery = {**usual.delivery, **_delivered(self.hardest)}
-            hardest = Blow(delivery=delivery, points=self.hardest.get("points", usual.points))
+            hardest = FaceImpact(delivery=delivery, points=self.hardest.get("points", usual.points))
         tables = self.variables.items()
         bounds = {f"{table}.{name}": each for table, values in tables for name, each in values.items()}
         asked = {each.name: getattr(self, each.name) for each in fields(_Asked)}
         return ShellStudy(**asked, delivery=usual, hardest=hardest, bounds=bounds)
 
-    def _delivery(self) -> Blow:
+    def _delivery(self) -> FaceImpact:
         points = self.delivery.get("points", ((0.0, 0.0),))
         values = _delivered(self.delivery)
         if self.golfer is None:
             if "speed" not in values:
                 raise InputError("delivery.speed", None, "give it, or a golfer")
-            return Blow(delivery=values, points=points)
+            return FaceImpact(delivery=values, points=points)
         for name, value in values.items():
             raise InputError(f"delivery.{name}", value, "left out: the golfer delivers; give points alone")
         mean = self.golfer.for_hand(1.0).delivery()
         values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
-        return Blow(delivery={name: float(each) for name, each in values.items() if each is not None}, points=points)
+        return FaceImpact(
+            delivery={name: float(each) for name, each in values.items() if each is not None}, points=points
+        )
 
 
 def _delivered(given: Mapping[str, Any]) -> dict[str, float]:

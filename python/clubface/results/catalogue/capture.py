@@ -9,7 +9,7 @@ SENTENCES = {
     ),
     "capture-ball-not-seen": "the ball is not seen after impact; the loss of the head's speed shows that they met",
     "capture-ball-place-alone": (
-        "the blow cannot be read, so that all depends on the given place of the ball: {reason}"
+        "no impact can be read from the head's path, so that all depends on the given place of the ball: {reason}"
     ),
     "capture-ball-start": (
         "the ball starts {late_time:ms 2} after the face touches it, not the 0.2 ms of a real impact: a wrong club, "
@@ -20,7 +20,7 @@ SENTENCES = {
         "the file may state a frame rate that is too low, which makes all speeds too low by as much; else a wrong "
         "club, mapping or calibration"
     ),
-    "capture-blow": "impact is taken from the blow: the head loses {lost:.0%} of its speed",
+    "capture-blow": "impact is where the head loses {lost:.0%} of its speed",
     "capture-blow-again": (
         "it loses speed in frame {again} as well as in frame {frame} of the recording: cut the recording to read that"
     ),
@@ -30,11 +30,11 @@ SENTENCES = {
     ),
     "capture-ends-after-impact": (
         "the recording ends {later:n frame} after the impact, which is taken to follow frame {frame}; record on for "
-        "{fewest} frames or more to have the blow itself"
+        "{fewest} frames or more to see the loss of speed itself"
     ),
     "capture-ends-with-impact": (
         "the recording ends with the impact, which is taken to follow frame {frame}; record on for {fewest} frames or "
-        "more to have the blow itself"
+        "more to see the loss of speed itself"
     ),
     "capture-face-opens": (
         "the face opens through impact, with a closure rate of {closure}: the hand of the club may be wrong (--hand)"

@@ -232,6 +232,6 @@ SENTENCES = {
     "shells-open": "The mesh is open, so that its volume is not known; the rule for it was not looked at.",
     "shells-stress": (
         "The stress is that of von Mises on either side of the face, of a metal that stays elastic, on the mesh of the "
-        "head: a finer mesh finds more. It shows yield under one blow and nothing of fatigue."
+        "head: a finer mesh finds more. It shows yield in one impact and nothing of fatigue."
     ),
 }

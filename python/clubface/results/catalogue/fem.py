@@ -54,7 +54,7 @@ SENTENCES = {
     ),
     "mesh-dependence-unknown": (
         "How far the stress depends on the mesh is not known. To bound it, mesh the same surfaces with elements half "
-        "as large, name that file in the TOML, and repeat the blow: the difference is about the error of this mesh."
+        "as large, name that file in the TOML, and repeat the impact: the difference is about the error of this mesh."
     ),
     "no-launch": "There is no launch: {reason}.",
     "no-part-yields": "Struck at {blow}, no part yields. Closest to it is the {part}, with a margin of {margin}.",
@@ -70,6 +70,6 @@ SENTENCES = {
     ),
     "rebound": "The ball {ball} leaves {head} and spins with {backspin}.",
     "strength-not-counted": (
-        "Notches, welds and fatigue over many blows are not counted: a real head needs more than this."
+        "Notches, welds and fatigue over many impacts are not counted: a real head needs more than this."
     ),
 }

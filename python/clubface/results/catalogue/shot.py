@@ -3,8 +3,8 @@
 SENTENCES = {
     "all-models": "--model all shows every model side by side; clubface explain says why the ball flies so.",
     "attack-at-held-loft": (
-        "A steeper upward blow lowers the spin, by {backspin:0} a degree, because the dynamic loft is held: less angle "
-        "is left between path and face."
+        "A steeper upward strike lowers the spin, by {backspin:0} a degree, because the dynamic loft is held: less "
+        "angle is left between path and face."
     ),
     "attached-head": (
         "The head is {how}: along the normal at the face centre it acts like {attached_club_mass}, free like "
@@ -55,11 +55,11 @@ SENTENCES = {
     "explain-start-bulge": (
         "The strike was {toe:towards the toe/towards the heel}, where bulge turns the face {turned_face:right/left}; "
         "from the middle of the face it would start {middle_azimuth:right/left/on the target line}. What bulge leaves "
-        "open comes from the head, which the off-centre blow turns."
+        "open comes from the head, which the off-centre strike turns."
     ),
     "explain-start-strike": (
         "The strike was {toe:towards the toe/towards the heel}; from the middle of the face it would start "
-        "{middle_azimuth:right/left/on the target line}. The off-centre blow turns the head while they touch."
+        "{middle_azimuth:right/left/on the target line}. The off-centre strike turns the head while they touch."
     ),
     "explain-sweet-spot": (
         "The sweet spot, where this swing gives the ball most speed, is not the centre: it lies {toe:towards the toe/"
@@ -82,7 +82,7 @@ SENTENCES = {
         "CG farther from its axis also adds loft and closes the face before impact; give the delivery that you expect."
     ),
     "high-strike-lowers-spin": (
-        "A higher strike lowers the spin, by {backspin:0} a mm, although it launches higher: the blow turns the head "
+        "A higher strike lowers the spin, by {backspin:0} a mm, although it launches higher: the impact turns the head "
         "back, and the face rolls the ball forward like a gear."
     ),
     "hosel-energy": (
@@ -128,7 +128,7 @@ SENTENCES = {
         "delivered with its shaft further forward, which moves its CG."
     ),
     "toe-strike-curves-back": (
-        "A strike towards the toe gives spin that curves the ball back, {sidespin:0} a mm: the blow turns the head "
+        "A strike towards the toe gives spin that curves the ball back, {sidespin:0} a mm: the impact turns the head "
         "open, and the face rolls the ball the other way like a gear."
     ),
     "variant-caveats": "{model} by {set}: {caveats:;}.",

@@ -20,13 +20,14 @@ from clubface.fem.heads.meshed import MeshedHead
 from clubface.fem.heads.read import FOLDER, OTHERS, design_from_document
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.fem.result import Impact
-from clubface.fem.stress import BLOW, peak_stress
+from clubface.fem.stress import IMPACT_SPEED, PartStress, peak_stress
 from clubface.schema import Choice, Document, Items, PhysicalValue, Table
 from clubface.simulation.results import inputs, outputs
 from clubface.studies.axes import Swept, number
 from clubface.studies.kinds.file_keys import VariedFile, short_names, swept_keys
 from clubface.studies.kinds.kind import ONE_NAME, OUTPUTS, Column, DescribedStudy, Histories, Kind, OneByOne, resolved
 from clubface.support.files import input_file, path_of, resolve_name
+from clubface.support.renamed import warn_renamed
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
 """Units of the numbers among the settings."""
@@ -244,12 +245,16 @@ CASE_KEYS = {"case": ONE_NAME, "outputs": OUTPUTS, "histories": Items(Choice(HIS
 CASES = Kind(name="fem", keys=CASE_KEYS, swept=_swept_cases, task=_case_task)
 
 
-PLACE = {"toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "blow": "m/s", "friction": "1", "safety": "1"}
-"""Units of where a head is struck, of the speeds of ball, striker and blow, and of what else the tests take."""
+PLACE = {
+    "toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "impact_speed": "m/s", "friction": "1",
+    "safety": "1", "blow": "m/s",
+}  # fmt: skip
+"""Units of where a head is struck, of the speeds of ball, striker and club, and of what else the tests take;
+``blow`` is the old name of ``impact_speed``."""
 COLUMNS = {
     "restitution": Column("1", "coefficient of restitution of ball and free head"),
     "characteristic_time": Column("s", "time in which the face throws back a small steel sphere"),
-    "stress": Column("Pa", "largest stress of a part under a blow, elastic"),
+    "stress": Column("Pa", "largest stress of a part in an impact, elastic"),
     "margin": Column("1", "least share by which the stress of a part may grow before it yields"),
     "mass": Column("kg", "mass of the head"),
     "cg_x": Column("m", "from the CG to the face centre, towards the target"),
@@ -283,6 +288,10 @@ def _head_task(study: DescribedStudy) -> OneByOne:
     ball_files = study.load("ball", _ball_file)
     held = {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
     columns = study.columns(COLUMNS, USUAL_OF_HEADS)
+    if "blow" in {*swept, *held}:
+        if "impact_speed" in {*swept, *held}:
+            raise InputError("blow", Wording("given twice"), "left out: it is the old name of impact_speed")
+        warn_renamed("blow of [head]", "impact_speed")
     variation = Variation(study, [*head_files.values(), *ball_files.values()], (*PLACE, "head", "ball"))
 
     @lru_cache(maxsize=1)
@@ -302,11 +311,11 @@ def _head_task(study: DescribedStudy) -> OneByOne:
         place = {name: how[name] for name in ("toe", "high") if name in how}
         given = {name: how[name] for name in ("friction", "safety") if name in how}
         safety = {name: given[name] for name in ("safety",) if name in given}
-        rigid = made.club
+        rigid, speed = made.club, how.get("impact_speed", how.get("blow", IMPACT_SPEED))
 
         @lru_cache
-        def blow() -> list[Any]:
-            return peak_stress(made, ball=ball, speed=how.get("blow", BLOW), threads=1, **given, **place)
+        def stresses() -> list[PartStress]:
+            return peak_stress(made, ball=ball, speed=speed, threads=1, **given, **place)
 
         return {
             "restitution": lambda: head_tests.restitution(
@@ -315,8 +324,8 @@ def _head_task(study: DescribedStudy) -> OneByOne:
             "characteristic_time": lambda: head_tests.characteristic_time(
                 made, speed=how.get("striker_speed", head_tests.STRIKER_SPEED), threads=1, **safety, **place
             ),
-            "stress": lambda: max(part.stress for part in blow()),
-            "margin": lambda: min(math.nan if part.margin is None else part.margin for part in blow()),
+            "stress": lambda: max(part.stress for part in stresses()),
+            "margin": lambda: min(math.nan if part.margin is None else part.margin for part in stresses()),
             **{name: getattr(rigid, name) for name in ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")},
         }  # fmt: skip
 

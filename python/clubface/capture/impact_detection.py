@@ -1,8 +1,8 @@
-"""The blow in the path of the clubhead: when the head loses speed, and which way it is pushed.
+"""Impact detected in the path of the clubhead: when the head loses speed, and which way it is pushed.
 
-The path before and the path after are each extended to the instant at which they meet. The head keeps its place in the
-blow and loses part of its velocity, so both paths cross in the middle of the contact. How well the instant is known
-follows from how well the paths are, divided by the velocity that is lost.
+The path before and the path after are each extended to the instant at which they meet. The head keeps its place
+during contact and loses part of its velocity, so both paths cross in the middle of the contact. How well the instant
+is known follows from how well the paths are, divided by the velocity that is lost.
 """
 
 from __future__ import annotations
@@ -24,49 +24,49 @@ CONTACT = 0.45e-3
 CONTACT_DEVIATION = 0.05e-3
 """Standard deviation of half of it: force rises and falls unevenly, and soft balls stay longer."""
 LOST = 0.08
-"""Least part of its speed that a head loses by a blow: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
+"""Least part of its speed that a head loses at impact: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
 over the same frames."""
 BEGUN = 0.01
-"""Part of its speed that a head loses at least from one frame to the next if the blow begins between them, but for the
+"""Part of its speed that a head loses at least from one frame to the next if impact begins between them, but for the
 last twentieth of that time."""
 FAST = 0.5
 """Part of the greatest speed that a head has at least when it meets the ball."""
 WIDEST = 8
-"""Frames without a pose across which a blow is looked for."""
+"""Frames without a pose across which an impact is looked for."""
 FEWEST = 5
 """Frames needed on each side, for the quartic of the smoother."""
 WINDOW, STEPS = 0.02, 12
 """Seconds on either side through whose speeds a line goes, and how many speeds these are at most."""
 LEVEL = 0.05
-"""Seconds for which speed must stay down after a blow, and must have come near to what it was before it."""
+"""Seconds for which speed must stay down after an impact, and must have come near to what it was before it."""
 SUDDEN, TOP = 0.5, 1.25
-"""Parts of the speed right before a blow that the speeds of ``LEVEL`` before it reach at least, and at most."""
+"""Parts of the speed right before an impact that the speeds of ``LEVEL`` before it reach at least, and at most."""
 CLEAR, TIMES_USUAL = 0.3, 3.0
-"""Mean distance of the speeds from lines before and after a blow, at most: part of the speed lost, or times the usual
+"""Mean distance of the speeds from lines before and after impact, at most: part of the speed lost, or times the usual
 one, which is that of the noise."""
 ALIKE = 0.5
-"""Part of the greatest loss of speed that steps near the blow seem to have as well."""
+"""Part of the greatest loss of speed that steps near the impact seem to have as well."""
 NEARLY, LOW = 0.9, 0.15
 """Part of the greatest speed, and metres above its lowest place, with which a head meets the ball at the end of a
 recording."""
 APART = 0.1
-"""Seconds between two blows."""
+"""Seconds between two impacts."""
 IMPOSSIBLE = 100.0
 """m/s; faster than any clubhead."""
 MOST = 40
 LONGEST = 0.05
-"""Seconds after the blow that are used."""
+"""Seconds after the impact that are used."""
 EARLY = 0.3e-3
 """Seconds that first touch may seem to come before the last frame before it: a few standard deviations."""
 SHARE = 10.0
-"""Weight of the misfit of a path: it counts a freedom, and a frame on the wrong side of the blow spoils few of them."""
+"""Weight of the misfit of a path: it counts a freedom, and a frame on the wrong side of impact spoils few of them."""
 ROUNDS = 6
 ODD = 4.0
 """Times the expected square of the distance at which the paths pass each other, beyond which the instant is taken to be
 less certain."""
 
 
-class FaceImpact(NamedTuple):
+class DetectedImpact(NamedTuple):
     """Where and when a head loses speed.
 
     Attributes
@@ -80,11 +80,11 @@ class FaceImpact(NamedTuple):
     lost
         Part of the speed that is lost.
     velocity, later
-        Velocity of the origin of the head before the blow, and of its CG after it [m/s], shape (3,).
+        Velocity of the origin of the head before the impact, and of its CG after it [m/s], shape (3,).
     covariance
         Of the difference of both, shape (3, 3).
     spin
-        Angular velocity before the blow [rad/s], shape (3,).
+        Angular velocity before the impact [rad/s], shape (3,).
     position, rotation
         Of the origin of the head at first touch [m], shape (3,), and from body axes to the world, shape (3, 3).
     score
@@ -108,7 +108,7 @@ class FaceImpact(NamedTuple):
     again: int | None = None
 
 
-def find_blow(
+def detect_impact(
     times: Array,
     followed: Track,
     *,
@@ -117,8 +117,8 @@ def find_blow(
     where: str,
     roughness: float = ROUGHNESS,
     cg: Array | None = None,
-) -> FaceImpact:
-    """Find the blow in a recording; refuse one that has none with a :class:`FileError`.
+) -> DetectedImpact:
+    """Find the impact in a recording; refuse one that has none with a :class:`FileError`.
 
     Parameters
     ----------
@@ -129,8 +129,8 @@ def find_blow(
     noise
         Standard deviation of a marker along an axis [m].
     arm
-        Standard deviation along each axis of where the CG is from the origin of the head [m]: after a blow off centre
-        the head spins fast about its CG, and other points of it do not go smoothly.
+        Standard deviation along each axis of where the CG is from the origin of the head [m]: after an impact off
+        centre the head spins fast about its CG, and other points of it do not go smoothly.
     where
         The file, for errors.
     roughness
@@ -195,7 +195,7 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
     speeds = np.linalg.norm(np.diff(middle, axis=0), axis=-1) / np.diff(times[known])
     top = float(np.quantile(speeds[speeds < IMPOSSIBLE], 0.99))
     for later in range(FEWEST - 1, -1, -1):
-        end = len(speeds) - later  # the step in which the blow lies, if any frame follows
+        end = len(speeds) - later  # the step in which the impact lies, if any frame follows
         some = np.arange(max(end - STEPS, 0), end)
         level, off = _extended((some - end)[None].astype(np.float64), speeds[some][None])
         if off[0] > 0.5 * LOST * level[0] or level[0] < NEARLY * top:
@@ -253,7 +253,7 @@ def _frames(times: Array, followed: Track, where: str) -> Drop:
             best = int(np.argmin(np.where((away < WINDOW) & (size > ALIKE * size[best]), misfit, np.inf)))
             return Drop(int(known[best]), int(known[best + 1]), float(lost[best]), another)
         most = 100.0 * max(float(lost[best]), 0.0)
-        reason = f"the clubhead nowhere loses speed as in a blow (at most {most:.0f}% within a few frames)"
+        reason = f"the clubhead nowhere loses speed as at impact (at most {most:.0f}% within a few frames)"
         reason += _hidden(times[known], middle, known)
     raise FileError(
         where, None,
@@ -266,9 +266,9 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
     """Return which part of its speed the head loses for good in each step from frame to frame.
 
     Straight lines through the speeds before and after, that hold whatever a few of them do (Theil, 1950; Sen, 1968),
-    are extended to the middle of the step. A step that is no blow has -inf: across a gap, from a speed that came at
+    are extended to the middle of the step. A step that is no impact has -inf: across a gap, from a speed that came at
     once or is back soon, as in a spike, or where the head turns round. The second result is the speed before [m/s], and
-    the third how far the speeds are from both lines [m/s]: least where the blow lies in the step itself.
+    the third how far the speeds are from both lines [m/s]: least where the impact lies in the step itself.
     """
     count, frame = len(times), float(np.median(np.diff(times)))
     every, place = max(1, round(WINDOW / STEPS / frame)), np.arange(len(times) - 1)
@@ -328,7 +328,7 @@ def _quantile(values: Array, share: float) -> Array:
 
 
 def _hidden(times: Array, position: Array, frames: Array) -> str:
-    """Say which gap hides the blow, if the head is slower after it by as much; else nothing."""
+    """Say which gap hides the impact, if the head is slower after it by as much; else nothing."""
     speeds = np.linalg.norm(np.diff(position, axis=0), axis=-1) / np.diff(times)
     for place in np.flatnonzero(np.diff(frames) > 1):
         if FEWEST <= place < len(speeds) - FEWEST:
@@ -350,8 +350,8 @@ def _cross(
     cg: Array,
     roughness: float,
     where: str,
-) -> FaceImpact | None:
-    """Return the blow between two frames from where the paths on either side cross; None with too few frames."""
+) -> DetectedImpact | None:
+    """Return the impact between two frames from where the paths on either side cross; None with too few frames."""
     before, after = frames
     known = np.flatnonzero(followed.known)
     rotation = followed.poses.rotation
@@ -366,10 +366,10 @@ def _cross(
     errors = coordinates_of(followed, later, noise)[1][:, :3, :3]
 
     def left(time: float) -> Path:
-        """Return the path of the CG after a blow at ``time``, moved to where the origin is then."""
+        """Return the path of the CG after an impact at ``time``, moved to where the origin is then."""
         held = exponential(_at(ahead, time)[0][3:]) @ attitude
         # The CG goes smoothly; the origin, an arm from it that is known to ``arm``, does what the head's turn since the
-        # blow adds to that.
+        # impact adds to that.
         turned = rotation[later] @ held.T - np.eye(3)
         return fit(start - times[later], followed.poses.position[later] + turned @ cg, errors, 4, density, arm * turned)
 
@@ -385,7 +385,7 @@ def _cross(
     across = float(apart @ weight @ apart)
     early = time - 0.5 * CONTACT
     values, *_ = _at(ahead, early)
-    return FaceImpact(
+    return DetectedImpact(
         before=before, after=after, touch=start + early,
         deviation=math.sqrt(max(1.0, 0.5 * across / ODD) / float(lost @ weight @ lost) + CONTACT_DEVIATION**2),
         lost=0.0, velocity=one[1][:3], later=-two[1],
