@@ -345,8 +345,8 @@ pub static QUANTITIES: &[Quantity] = &[
     entry("club_velocity", "v_c", SPEED, "velocity of the clubhead", "velocity of the clubhead CG"),
     entry("club_spin", "omega_c", ANGULAR_RATE, "spin of the clubhead", "angular velocity of the clubhead"),
     entry("club_attitude", "q_c", DIMENSIONLESS, "attitude of the clubhead",
-        "quaternion w, x, y, z that turns the clubhead from static loft to the world"),
-    entry("ring_radius", "r_i", LENGTH, "radius of a ring", "outer radius of a ring of the contact").read("mm", 2),
+        "turn of the clubhead since first touch, in face axes: quaternion w, x, y, z"),
+    entry("ring_radius", "r_i", LENGTH, "radius of a ring", "mid-radius of a ring of the contact").read("mm", 2),
     entry("ring_traction_y", "tau_y", PRESSURE, "traction of a ring up the face",
         "friction per area on a ring, up the face")
         .read("MPa", 2).sign("up is positive").sides("down", "up"),
