@@ -353,7 +353,7 @@ def test_notes_are_warnings_of_a_single_reading(tmp_path):
     positions = seen.positions.copy()
     positions[100, 0] += 0.05
     write_c3d(replace(seen, positions=positions), files[0])
-    with pytest.warns(CaptureWarning, match=r"swing-001\.c3d: HEAD1 strays in frame 101"):
+    with pytest.warns(CaptureWarning, match=r"swing-001\.c3d: HEAD1 is out of place in frame 101"):
         read_swing(files[0], tmp_path / "markers.toml", "driver")
 
 

@@ -54,7 +54,7 @@ def test_the_best_head_is_told_drawn_and_written(clubface_, files):
     assert ran.status == 0
     assert "A faster face" in ran.out
     assert "face centre" in ran.out
-    assert "3 designs were judged by 6 runs" in " ".join(ran.out.split())
+    assert "3 designs were checked with 6 runs" in " ".join(ran.out.split())
     assert f"wrote {best}" in ran.err
     assert picture.read_text().startswith("<?xml")
     shown = clubface_("fem", "head", str(best), "--json").json["tables"]["head"]["rows"][0]

@@ -133,7 +133,7 @@ def test_a_mistake_of_the_program_is_not_blamed_on_the_user(clubface_, monkeypat
     ran = clubface_("shot", "driver", "--speed", "50 m/s", "--json")
     assert ran.status == 1
     assert "ZeroDivisionError" in ran.err
-    assert "not yours" in ran.err
+    assert "not your mistake" in ran.err
 
 
 def test_a_mistake_in_an_option_says_where_the_options_are_listed(clubface_):

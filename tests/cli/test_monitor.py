@@ -114,7 +114,7 @@ def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):
     assert (ran.status, one.status) == (2, 0)
     assert ran.out.count(": 200 Shot received successfully") == 3
     assert "shot 4 has no ball speed or launch angle: not sent" in ran.err
-    assert "1 of 4 shots were not taken" in ran.err
+    assert "1 of 4 shots were not accepted" in ran.err
     assert [each.shot_number for each in heard] == [1, 2, 3, 1]
     assert heard[0].delivery["toe"] == pytest.approx(0.0085, rel=1e-12)
     assert heard[3].launch["ball_speed"] == pytest.approx(111.5 * MPH, rel=1e-12)

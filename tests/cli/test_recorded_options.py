@@ -47,7 +47,7 @@ def test_every_command_takes_a_condition(clubface_, tmp_path, name):
     condition = FAST + " and row <= 12"
     ran = clubface_(*name.split(), SHOTS, *commands(tmp_path)[name], "--where", condition)
     assert ran.status == 0, ran.err
-    assert "of 120 shots fulfil speed > 82 mph" in notes_of(ran)
+    assert "of 120 shots meet speed > 82 mph" in notes_of(ran)
     assert_mistake(
         clubface_(*name.split(), SHOTS, *commands(tmp_path)[name], "--where", "speed > 82"), "--where", "needs a unit"
     )
@@ -94,7 +94,7 @@ def test_predict_of_a_file_and_of_its_table_agree(clubface_, tmp_path):
         target = tmp_path / "launches.csv"
         ran = clubface_("predict", source, "--club", "driver", "--only", "Dr", "-o", str(target))
         assert ran.status == 0
-        assert "referred to the face centre of driver" in ran.out
+        assert "converted to the face centre of driver" in ran.out
         with target.open(newline="") as file:
             result.append([row["predicted_azimuth_deg"] for row in csv.DictReader(file)])
     assert result[0] == result[1]

@@ -229,7 +229,7 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
     """Face angles 30% wider: the shots that are hit with them spread as far as the report's data say."""
     words = words_of(clubface_, tmp_path / "report.html", "golfer", "show", "bogey-driver")
     assert "assumed for every part of the delivery" in words
-    assert "rests most on the spread of face (assumed)" in words
+    assert "depends most on the spread of face (assumed)" in words
     page = Page((tmp_path / "report.html").read_text())
     data = next(each for name, each in page.saved.items() if name == "doubts.csv")
     rows = {
@@ -264,7 +264,7 @@ def test_what_was_measured_is_not_called_assumed(clubface_, files, monkeypatch):
     monkeypatch.chdir(files)
     words = words_of(clubface_, files / "report.html", *COMMANDS["estimate"])
     assert "60 shots of the session" in words[:60]
-    assert "How much a swing differs from the next was measured or published for club speed" in words
+    assert "The swing-to-swing spread was measured or published for club speed" in words
 
 
 @pytest.mark.usefixtures("without_pictures")

@@ -146,7 +146,7 @@ def test_a_negative_value_is_no_option(clubface_, attack):
 def test_a_bare_number_is_si_and_said_to_be(clubface_):
     ran = clubface_("shot", "driver", "--speed", "50", "--json")
     assert ran.rows()[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
-    assert ran.err == "clubface: note: --speed 50 has no unit and is taken in m/s\n"
+    assert ran.err == "clubface: note: --speed 50 has no unit and is read in m/s\n"
 
 
 @pytest.mark.parametrize(
@@ -162,7 +162,7 @@ def test_a_bare_number_is_si_and_said_to_be(clubface_):
     ],
 )
 def test_a_bare_number_that_no_shot_has_in_si_is_asked_for_its_unit(clubface_, given, asked):
-    assert_mistake(clubface_("shot", "driver", *given), "has no unit; give it, as in " + asked, "a number alone is in")
+    assert_mistake(clubface_("shot", "driver", *given), "has no unit; give it, as in " + asked, "a bare number is in")
 
 
 def test_models_are_chosen_by_commas_or_repetition_in_the_order_asked(clubface_):

@@ -213,7 +213,7 @@ def test_a_report_shows_the_place_of_the_peak_and_the_fingerprint_of_the_mesh(cl
     assert hashlib.sha256((tmp_path / "head.msh").read_bytes()).hexdigest() in page
     assert "The largest stress" in page
     assert "a cross where it is largest" in page
-    assert "How far the stress depends on the mesh" in page
+    assert "How much the stress depends on the mesh" in page
 
 
 def test_the_command_shows_stress_and_yield(clubface_, tmp_path):

@@ -99,7 +99,7 @@ def test_start_face_and_path_are_those_measured():
     # The face is open to the path by five degrees, whose medians are known to a tenth.
     assert notes["player-face-to-path"]["face"] == pytest.approx(5 * DEG, abs=0.4 * DEG)
     at_contact = club_statistics(dataclasses.replace(given, face_at="contact"), "Driver")
-    assert "player-face-and-path" in data(player_notes.line_notes(at_contact))  # referred to the face centre
+    assert "player-face-and-path" in data(player_notes.line_notes(at_contact))  # converted to the face centre
     unknown = data(player_notes.line_notes(club_statistics(shots(drop=("face",)), "Driver")))
     assert list(unknown["player-face-and-path-estimated"]["margins"]) == ["face"]
 

@@ -68,7 +68,7 @@ def test_the_command_prints_a_table_and_draws_a_picture(clubface_, bag, tmp_path
     message = " ".join(ran.out.split())
     assert "-21474836480 rpm in 1 of 6 shots" in message
     assert "1 of 2 of Dr, 2 of 3 of 7i" in message
-    assert "the gap between 7i and PW is not sure: 38.0 yd with a single shot" in message
+    assert "the gap between 7i and PW is uncertain: 38.0 yd with a single shot" in message
     assert "between Dr and 7i" not in message
     assert picture.read_text().count("<svg") == 1
 

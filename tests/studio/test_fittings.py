@@ -141,7 +141,7 @@ def test_an_error_in_a_job_says_where_and_what(capsys):
         return 1 / 0
 
     jobs = StudioJobs()
-    for compute, words in ((refuse, "loft is '2'; it must be an angle"), (fail, "this is a mistake of clubface")):
+    for compute, words in ((refuse, "loft is '2'; it must be an angle"), (fail, "this is a bug in clubface")):
         job = jobs.start(compute)
         while job.state == "running":
             time.sleep(0.01)

@@ -24,23 +24,23 @@ app = typer.Typer(add_completion=False)
 def best_loft(
     club: Annotated[
         str | None,
-        options.option("--club", metavar="CLUB", text="Name or TOML file; the golfer's, or driver, unless given."),
+        options.option("--club", metavar="CLUB", text="Name or TOML file; default: golfer's, or driver."),
     ] = None,
     speed: Annotated[
         list[str] | None,
-        options.option("--speed", metavar='"100 mph"', text="Club speed; several with commas or repeated."),
+        options.option("--speed", metavar='"100 mph"', text="Club speed; several: comma-separated or repeated."),
     ] = None,
     attack: Annotated[
         list[str] | None,
-        options.option("--attack", metavar='"0 deg"', text="Attack angle; -5, 0 and 5 deg unless given."),
+        options.option("--attack", metavar='"0 deg"', text="Attack angle; default -5, 0 and 5 deg."),
     ] = None,
     golfer: Annotated[
         str | None,
-        options.option("--golfer", metavar="NAME|FILE", text="Advise a golfer: over all shots, by all that counts."),
+        options.option("--golfer", metavar="NAME|FILE", text="Advise this golfer, over all shots and objectives."),
     ] = None,
     loft: Annotated[
         str | None,
-        options.option("--loft", metavar='"15.5 deg"', text="Advise on this dynamic loft, at one speed."),
+        options.option("--loft", metavar='"15.5 deg"', text="Advise on this dynamic loft, at a single speed."),
     ] = None,
     objective: Annotated[
         str | None,
@@ -52,11 +52,13 @@ def best_loft(
     ] = None,
     hole: Annotated[
         str | None,
-        options.option("--hole", metavar='"430 yd"', text="Length of the hole on which strokes are counted."),
+        options.option("--hole", metavar='"430 yd"', text="Length of the hole, to count strokes."),
     ] = None,
     chart: Annotated[
         str | None,
-        options.option("--chart", metavar="NAME", text="Take speeds and attack angles of a chart: trackman or ping."),
+        options.option(
+            "--chart", metavar="NAME", text="Use the speeds and attack angles of a chart: trackman or ping."
+        ),
     ] = None,
     **texts: Any,
 ) -> None:
@@ -79,9 +81,11 @@ def best_loft(
     compared = {"--objective": objective, "--hole": hole}
     if player is not None or loft is not None:
         if player is not None:
-            _refuse({"--speed": speed, "--attack": attack, "--loft": loft, "--chart": chart}, "the golfer has his own")
+            _refuse(
+                {"--speed": speed, "--attack": attack, "--loft": loft, "--chart": chart}, "the golfer has these already"
+            )
         else:
-            _refuse({"--chart": chart}, "--loft is of one delivery")
+            _refuse({"--chart": chart}, "--loft means a single delivery")
             player = steady_golfer(club, **{
                 name: options.parsed(f"--{name}", text, dimension)
                 for name, text, dimension in (

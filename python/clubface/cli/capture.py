@@ -14,24 +14,24 @@ from clubface.cli.failures import Interrupted, print_note
 from clubface.cli.output import progress_bar
 from clubface.errors import InputError
 
-PICTURES = "path, face and residuals; next to the table of -o unless given"
+PICTURES = "path, face and residuals; by default next to the table of -o"
 FILE = "FILE"
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
 
 Club = Annotated[str, options.option("--club", metavar="CLUB", text="Name of a built-in club, or a TOML file.")]
 Hand = Annotated[
-    str | None, options.option("--hand", metavar="right|left", text="Hand of the club; its own unless given.")
+    str | None, options.option("--hand", metavar="right|left", text="Hand of the club; default: as in the club's file.")
 ]
 Unit = Annotated[
     str | None,
-    options.option("--units", metavar="UNIT", text="Unit of length, in place of the one that the files name."),
+    options.option("--units", metavar="UNIT", text="Unit of length, instead of the unit that the files name."),
 ]
-Roughness = Annotated[float, typer.Option("--roughness", help="How much the path of the smoother may bend.")]
+Roughness = Annotated[float, typer.Option("--roughness", help="How sharply the smoother's path may bend.")]
 SWINGS = {"club": (Club, "driver"), "hand": (Hand, None), **options.group(None, {
     "noise": (str, "0 mm", '"0.3 mm"', "Standard deviation of a marker along each axis."),
-    "gaps": (float, 0.0, "SHARE", "Share of the time that a marker is hidden, 0 to 0.5."),
-    "seed": (int, 1, "N", "The same seed gives the same swings."),
+    "gaps": (float, 0.0, "SHARE", "Fraction of the time that a marker is hidden, 0 to 0.5."),
+    "seed": (int, 1, "N", "Random seed: the same seed gives the same swings."),
 })}  # fmt: skip
 """Options of synthetic swings."""
 
@@ -39,16 +39,14 @@ SWINGS = {"club": (Club, "driver"), "hand": (Hand, None), **options.group(None, 
 @app.command()
 @options.takes(show.JSON)
 def join(
-    captured: Annotated[
-        str, typer.Argument(metavar="CAPTURED", help="Table of deliveries, as capture read writes it.")
-    ],
+    captured: Annotated[str, typer.Argument(metavar="CAPTURED", help="Table of deliveries, written by capture read.")],
     session: Annotated[str, typer.Argument(metavar="SESSION", help="The launches: a monitor's file, or a table.")],
     target: Annotated[str, options.output(FILE, "Write the shots, CSV or Parquet.")],
     format_: options.Format = None,
     mapping: options.ColumnsFile = None,
     **texts: Any,
 ) -> None:
-    """Pair captured deliveries with the launches of a monitor, in the order in which the shots were hit."""
+    """Pair captured deliveries with a monitor's launches, in the order in which the shots were hit."""
     from clubface.capture import join as join_shots
     from clubface.shots.reading import read as read_shots
     from clubface.shots.recorded_result import shots_result
@@ -64,14 +62,14 @@ def join(
 @options.takes(show.JSON)
 def read(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="C3D files of one session.")],
-    markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML file that says which marker is what.")],
+    markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML file with the meaning of each marker.")],
     club: Club,
     estimator: Annotated[
-        str, typer.Option("--estimator", metavar="NAME", help="How a path is read: smoother, polynomial or linear.")
+        str, typer.Option("--estimator", metavar="NAME", help="Estimator of the path: smoother, polynomial or linear.")
     ] = "smoother",
     hand: Hand = None,
     ball: Annotated[
-        str | None, typer.Option("--ball", metavar="NAME|FILE", help="The ball, whose radius is used.")
+        str | None, typer.Option("--ball", metavar="NAME|FILE", help="The ball; only its radius is used.")
     ] = None,
     target: Annotated[
         str | None, options.option("--target", metavar="AXIS", text="Axis that points to the target: +x, -x, ...")
@@ -81,13 +79,13 @@ def read(
     roughness: Roughness = 0.6,
     noise: Annotated[
         str | None,
-        options.option("--noise", metavar='"0.3 mm"', text="Standard deviation of a marker; else estimated."),
+        options.option("--noise", metavar='"0.3 mm"', text="Standard deviation of a marker; default: estimated."),
     ] = None,
     target_file: Annotated[str | None, options.output(FILE, "Write the deliveries, CSV or Parquet.")] = None,
     picture: Annotated[str | None, options.picture(PICTURES)] = None,
     **texts: Any,
 ) -> None:
-    """Read the delivery, with its uncertainty, from recordings of swings."""
+    """Read the delivery and its uncertainty from recordings of swings."""
     from clubface.capture.swing import read_swings
     from clubface.shots.tables.writer import KINDS
 
@@ -153,12 +151,10 @@ def markers(
 
 @app.command()
 def template(
-    file: Annotated[
-        str | None, typer.Argument(metavar=FILE, help="A C3D file, whose markers are named in the mapping.")
-    ] = None,
+    file: Annotated[str | None, typer.Argument(metavar=FILE, help="A C3D file; the mapping lists its markers.")] = None,
     target_file: options.Template = None,
 ) -> None:
-    """Print an explained mapping file to start your own from."""
+    """Print a commented mapping file to start your own from."""
     from clubface.capture.markers import template as text
     from clubface.capture.recording import read_c3d
 
@@ -173,14 +169,14 @@ def synthesize(
     count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 10,
     rate: Annotated[
         float | None,
-        options.option("--rate", metavar="HZ", text="Frames per second; 720, or 360 with --bare, unless given."),
+        options.option("--rate", metavar="HZ", text="Frames per second; default 720, or 360 with --bare."),
     ] = None,
     bare: Annotated[
-        bool, typer.Option("--bare", help="Three markers on the head, an address, no ball and no calibration.")
+        bool, typer.Option("--bare", help="Only three markers on the head and an address: no ball, no calibration.")
     ] = False,
     **texts: Any,
 ) -> None:
-    """Write swings whose delivery is known exactly, with calibration, mapping file and truth."""
+    """Write swings with an exactly known delivery, with calibration, mapping file and truth."""
     from clubface.capture.synthetic.laboratory import BARE_RATE, Cameras, synthesize as write_usual, synthesize_bare
 
     write, usual = (synthesize_bare, BARE_RATE) if bare else (write_usual, Cameras.rate)
@@ -198,11 +194,13 @@ def study(
     roughness: Roughness = 0.6,
     checkpoint: Annotated[
         str | None,
-        options.option("--checkpoint", metavar="FOLDER", text="Keep what is read here; the same command goes on."),
+        options.option(
+            "--checkpoint", metavar="FOLDER", text="Keep finished work here, so that the same command continues."
+        ),
     ] = None,
     **texts: Any,
 ) -> None:
-    """Compare the estimators on swings whose truth is known: bias, spread, coverage."""
+    """Compare the estimators on swings with a known delivery: bias, spread, coverage."""
     from clubface.capture.study import study as run
 
     shown = show.Output.check(texts)

@@ -93,7 +93,7 @@ def _deliveries(
 
     base = options.quantities(texts, DIMENSIONS, {})
     if changes and file is not None:
-        raise ClubfaceError("--delivery and --deliveries both say what is compared; give one of them")
+        raise ClubfaceError("--delivery and --deliveries exclude each other; give one of them")
     if file is not None:
         from clubface.design.comparison import MOST, read_deliveries
 
@@ -130,31 +130,31 @@ def labelled(alternatives: Mapping[str, Any], labels: Sequence[str]) -> dict[str
         if not is_name(label):
             raise InputError("--label", label, "printable text, not empty")
         if label in labels[:place]:
-            raise InputError("--label", label, "given once: every column has a name of its own")
+            raise InputError("--label", label, "given once: every column needs a different name")
     return dict(zip(labels, alternatives.values(), strict=True))
 
 
 app = typer.Typer(add_completion=False)
 
-_REPEATABLE = "Repeatable: what is given more than once is compared."
+_REPEATABLE = "Repeatable: anything given more than once is compared."
 COMPARED: options.Group = {
     "hand": options.EQUIPMENT["hand"],
     **options.group("Club and ball", {
-        "ball": (options.Texts, None, "NAME|FILE", f"A ball; modern unless given. {_REPEATABLE}"),
+        "ball": (options.Texts, None, "NAME|FILE", f"A ball; default modern. {_REPEATABLE}"),
     }),
     **options.MODELS,
     **options.group("Model", {
         "parameters": (options.Texts, None, "NAME|FILE", f"A published set or a TOML file. {_REPEATABLE}"),
     }),
     **options.group(None, {
-        "delivery": (options.Texts, None, '"loft=12 deg, toe=8 mm"', f"Values that a delivery changes. {_REPEATABLE}"),
-        "deliveries": (str | None, None, "FILE", "CSV or Parquet file with a delivery in each row."),
+        "delivery": (options.Texts, None, '"loft=12 deg, toe=8 mm"', f"Values of one delivery. {_REPEATABLE}"),
+        "deliveries": (str | None, None, "FILE", "CSV or Parquet file with one delivery per row."),
         "label": (options.Texts, None, "NAME",
-                  "A name of your own for a column. Given once for each, in their order."),
-        "split": (bool, True, None, "Split the differences into their causes."),
-        "nodes": (int | None, None, "N", "Points at which derivatives are taken, 1 to 64."),
-        "unit": (options.Texts, None, "NAME=UNIT", "Unit of a quantity for people, carry=m, or of columns of "
-                 "--deliveries that name none, speed=mph. Repeatable."),
+                  "Your own name for a column. Give it once for each column, in order."),
+        "split": (bool, True, None, "Split the differences into contributions."),
+        "nodes": (int | None, None, "N", "Number of points at which derivatives are taken, 1 to 64."),
+        "unit": (options.Texts, None, "NAME=UNIT", "Unit of a quantity in tables, carry=m, or of columns of "
+                 "--deliveries without a unit, speed=mph. Repeatable."),
     }),
 }  # fmt: skip
 
@@ -162,7 +162,7 @@ COMPARED: options.Group = {
 @app.command()
 @options.takes(
     options.DELIVERY, COMPARED, options.AIR, options.GROUND,
-    show.table_option("Write all figures, CSV or Parquet by its ending."),
+    show.table_option("Write all figures to this CSV or Parquet file."),
     show.plot_option("flights and contributions"), show.REPORT, show.JSON,
 )  # fmt: skip
 def compare(
@@ -184,7 +184,7 @@ def compare(
     if nodes is not None and not split:
         raise ClubfaceError("--nodes has no effect with --no-split; leave out one of them")
     if not 2 <= len(alternatives) <= MOST:
-        allowed = "give two clubs, or something else twice, as in --ball modern --ball distance"
+        allowed = "give two clubs, or another option twice, as in --ball modern --ball distance"
         raise ClubfaceError(
             f"there is nothing to compare: {allowed}" if len(alternatives) < 2
             else f"there are {len(alternatives)} combinations to compare; give at most {MOST}"

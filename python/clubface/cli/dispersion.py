@@ -25,13 +25,13 @@ app = typer.Typer(add_completion=False)
 LOFT_THAT_COUNTS = 0.05
 """Difference of static loft [deg] from which a note says that a club has the dynamic loft of another."""
 HOLE = options.group("Hole", {
-    "hole": (str | None, None, '"430 yd"', "Length of a hole on which strokes are counted."),
-    "fairway": (str | None, None, '"32 yd"', "Width of its fairway."),
-    "rough": (str | None, None, '"20 yd"', "Width of its rough on either side; beyond it are trees."),
-    "lie": (str | None, None, "NAME", "Where the shot is played from; tee unless given."),
+    "hole": (str | None, None, '"430 yd"', "Length of a hole, to count strokes."),
+    "fairway": (str | None, None, '"32 yd"', "Width of the fairway."),
+    "rough": (str | None, None, '"20 yd"', "Width of the rough on either side; beyond it are trees."),
+    "lie": (str | None, None, "NAME", "Where the shot is played from; default tee."),
 })  # fmt: skip
 _CLUB = options.option(
-    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; the golfer's unless given."
+    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; default: the golfer's club."
 )
 
 
@@ -44,11 +44,9 @@ _CLUB = options.option(
 def dispersion(
     golfer: GolferArgument,
     club: Annotated[str | None, _CLUB] = None,
-    count: Annotated[
-        int | None, typer.Option("--count", metavar="N", help="Number of shots; 16384 unless given.")
-    ] = None,
+    count: Annotated[int | None, typer.Option("--count", metavar="N", help="Number of shots; default 16384.")] = None,
     seed: options.Seed = 0,
-    no_flight: Annotated[bool, typer.Option("--no-flight", help="Compute launches only, without flights.")] = False,
+    no_flight: Annotated[bool, typer.Option("--no-flight", help="Compute only launches, not flights.")] = False,
     no_shares: Annotated[bool, typer.Option("--no-shares", help="Do not compute what spreads the shots.")] = False,
     **texts: Any,
 ) -> None:
@@ -94,18 +92,18 @@ def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
     from clubface.equipment.clubs import CLUB_NAMES, club
 
     if count is None and model not in models():
-        raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot by {model} takes long")
+        raise ClubfaceError(f"--count is missing; give it, as in --count 64: each shot with {model} takes long")
     if player.club not in CLUB_NAMES:
         return
     usual = club(player.club)
     more = from_si(head.loft - usual.loft, "deg")
     if usual.parameters != head.parameters:
-        print_note(f"note: the deliveries of {player.name} are those with a {player.club}, not with {head.name}")
+        print_note(f"note: {player.name} delivers a {player.club}, not a {head.name}")
     elif "loft" in player.variables and abs(more) >= LOFT_THAT_COUNTS:
         print_note(
             f"note: {head.name} has {abs(more):.1f} deg {'more' if more > 0.0 else 'less'} loft than {player.club}, and"
-            f" {player.name} hits it with the dynamic loft of {player.club}; clubface optimise with [fit] delivers a"
-            " club of more loft with more"
+            f" {player.name} hits it with the dynamic loft of {player.club}; clubface optimise with [fit] adds the"
+            " difference at impact"
         )
 
 
@@ -113,7 +111,7 @@ def _hole(hole: str | None, lie: str | None, **widths: str | None) -> Hole | Non
     given: dict[str, Any] = {name: text for name, text in {**widths, "lie": lie}.items() if text is not None}
     if hole is None:
         for name in given:
-            raise ClubfaceError(f'--{name} is of a hole; give its length as well, as in --hole "430 yd"')
+            raise ClubfaceError(f'--{name} describes a hole; give its length as well, as in --hole "430 yd"')
         return None
     from clubface.design.strokes import Hole
 

@@ -15,7 +15,7 @@ app = typer.Typer(add_completion=False)
 
 EVALUATION = options.group(None, {
     "parameters": (options.Texts, None, "NAME|FILE", "A published parameter set or a TOML file; models that it does not"
-                   " fit keep theirs. Repeatable."),
+                   " fit keep their own. Repeatable."),
     "noise": (options.Texts, None, "NAME=VALUE",
               'Standard deviation of the monitor: "launch=0.2 deg". Repeatable.'),
     "delivery_noise": (options.Texts, None, "NAME=VALUE",
@@ -40,7 +40,7 @@ def evaluate(
     as_json: options.Json = False,
     **texts: Any,
 ) -> None:
-    """Compare models with measured shots: how large their errors are, what these depend on, which model is best."""
+    """Compare models with measured shots: the errors, what they depend on, and which model is best."""
     names = options.model_names(models)
     output.prepare_folder(folder)
     from clubface.inference.evaluation.evaluation import evaluate as compute

@@ -14,10 +14,10 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(
     options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, show.UNITS,
-    show.plot_option("the shot as a coach would"), show.REPORT, show.JSON,
+    show.plot_option("the shot as a coach would draw it"), show.REPORT, show.JSON,
 )  # fmt: skip
 def explain(club: options.ClubArgument, **texts: Any) -> None:
-    """Say and draw why the ball starts where it starts and curves as it curves, with what-ifs."""
+    """Explain, in words and a picture, where the ball starts and why it curves, with what-ifs."""
     output = show.Output.check(texts, [club, texts["ball"]])
     delivery = options.delivery(texts)
     head = options.club_of(club, texts["hand"], texts["model"])

@@ -9,13 +9,15 @@ import typer
 from clubface.cli import options
 from clubface.cli.failures import print_written
 
-app = typer.Typer(add_completion=False, no_args_is_help=True, help="Write what other programs compute impacts with.")
+app = typer.Typer(
+    add_completion=False, no_args_is_help=True, help="Write files with which other programs compute impacts."
+)
 
 FUNCTION = options.group("Function", {
-    "by": (options.Texts, None, "NAME", "Input or parameter that the function takes, such as toe; the delivery of the "
-                                        "club unless given. Several with commas or repeated."),
-    "quantity": (options.Texts, None, "NAME", "Launch quantity that it returns, such as backspin; all unless given. "
-                                              "Several with commas or repeated."),
+    "by": (options.Texts, None, "NAME", "Input or parameter that the function takes, such as toe; default: the "
+                                        "delivery of the club. Several: comma-separated or repeated."),
+    "quantity": (options.Texts, None, "NAME", "Launch quantity that it returns, such as backspin; default: all. "
+                                              "Several: comma-separated or repeated."),
 })  # fmt: skip
 UNIT = options.group("Unit", {
     "standard": (str, "2.0", "VERSION", "Version of the FMI standard: 2.0 or 3.0."),
@@ -46,7 +48,7 @@ def inputs(club: options.ClubArgument, output: Source, **texts: Any) -> None:
     options.DELIVERY, FUNCTION, options.EQUIPMENT, options.SHAFT, options.ONE_MODEL, options.AIR, options.GROUND
 )
 def casadi(club: options.ClubArgument, output: Source, **texts: Any) -> None:
-    """Write C source of external functions for CasADi: launch by delivery, flight by launch, exact Jacobians.
+    """Write C source of external functions for CasADi: launch from delivery, flight from launch, exact Jacobians.
 
     Values of the delivery that are given stay fixed; the others are what the function takes.
     """
@@ -67,7 +69,7 @@ def casadi(club: options.ClubArgument, output: Source, **texts: Any) -> None:
 @app.command()
 @options.takes(options.EQUIPMENT, options.SHAFT, options.CONTACT_MODEL, UNIT)
 def fmu(club: options.ClubArgument, output: Source, **texts: Any) -> None:
-    """Write a unit for co-simulation (FMI 2.0 or 3.0): the ball that the head of another program strikes."""
+    """Write a co-simulation unit (FMI 2.0 or 3.0): the ball that another program's head strikes."""
     from clubface.export import write_fmu
 
     head, given = _head(club, texts), {**texts, "accuracy": None}

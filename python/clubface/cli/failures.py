@@ -77,7 +77,7 @@ def report(error: BaseException) -> int:
         print_note("interrupted")
         return 130
     traceback.print_exception(error)
-    print_note("this is a mistake of clubface, not yours; please report it with the lines above")
+    print_note("this is a bug in clubface, not your mistake; please report it with the lines above")
     return 1
 
 

@@ -27,15 +27,15 @@ app = typer.Typer(
 
 CaseArgument = Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")]
 HeadArgument = Annotated[str, typer.Argument(metavar="NAME|FILE", help="A meshed head.")]
-CASE = options.group(None, {"case": (str, "paper", "NAME|FILE", "The case that is varied.")})
+CASE = options.group(None, {"case": (str, "paper", "NAME|FILE", "The case to vary.")})
 BALL = "A ball made of pieces."
-WORKERS = options.group(None, {"workers": (int | None, None, "N", "Number of runs at a time; all cores unless given.")})
+WORKERS = options.group(None, {"workers": (int | None, None, "N", "Number of runs at a time; default: all cores.")})
 REFERENCE = options.group(None, {
     "friction": (float, 0.35, "NUMBER", "Coefficient of friction."),
-    "refine": (int, 1, "TIMES", "How many times finer the mesh is along every edge, 1 to 8."),
-    "element": (str, "one-point", "one-point|full", "Kind of elements."),
+    "refine": (int, 1, "TIMES", "Refinement of the mesh along every edge, 1 to 8."),
+    "element": (str, "one-point", "one-point|full", "Element type."),
     "ball": (str, "reference", "NAME|FILE", BALL),
-    "contact": (str, "penalty", "penalty|augmented-lagrange", "How nodes are kept out of the plane."),
+    "contact": (str, "penalty", "penalty|augmented-lagrange", "Contact method."),
     "meshes": (int, 1, "COUNT", "Number of meshes, 1 to 6, each with a third more elements along every edge."),
 })  # fmt: skip
 MOVING = 81
@@ -49,7 +49,7 @@ GRID = options.group(None, {
     "loft": (str, LOFTS, "FIRST:LAST:STEP", "Lofts, deg."),
 })  # fmt: skip
 FACE = options.group(None, {
-    "toe": (str, "-20:20:10", "FIRST:LAST:STEP", "Points, mm to the toe."),
+    "toe": (str, "-20:20:10", "FIRST:LAST:STEP", "Points, mm towards the toe."),
     "high": (str, "-8:8:8", "FIRST:LAST:STEP", "Points, mm above the centre."),
     "ball": (str, "modern", "NAME|FILE", BALL),
 })  # fmt: skip
@@ -58,9 +58,9 @@ TESTS = options.group("Tests", {
     "impact_speed": (str | None, None, '"125 mph"', "Also simulate an impact: the stress, and where the metal yields."),
     "toe": (str | None, None, '"8 mm"', "With --measure or --impact-speed: how far towards the toe."),
     "high": (str | None, None, '"3 mm"', "With --measure or --impact-speed: how far above the face centre."),
-    "ball": (str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; modern unless given."),
-    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: the time step over the stable one."),
-    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, on which the stress is compared."),
+    "ball": (str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; default modern."),
+    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: time step as a fraction of the stable one."),
+    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, to show how the stress depends on them."),
 })  # fmt: skip
 OLD_TESTS = {"blow": "impact_speed"}
 
@@ -68,7 +68,7 @@ OLD_TESTS = {"blow": "impact_speed"}
 @app.command("ball")
 @options.takes(show.JSON)
 def ball(name: Annotated[str, typer.Argument(metavar="NAME|FILE", help=BALL)], **texts: Any) -> None:
-    """Mesh a ball; compare mass, diameter and inertia with what was asked for and with the rules."""
+    """Mesh a ball; compare mass, diameter and inertia with the specified values and with the rules."""
     from clubface import fem
 
     show.Output.check(texts).show(fem.ball(name).to_result())
@@ -93,7 +93,7 @@ def head(name: HeadArgument, **texts: Any) -> None:
     }
     how: dict[str, Any] = {**place, "ball": texts["ball"], "safety": texts["safety"]}
     if not texts["measure"] and texts["impact_speed"] is None and any(value is not None for value in given.values()):
-        raise ClubfaceError("--toe, --high, --ball and --safety say how to measure; add --measure or --impact-speed")
+        raise ClubfaceError("--toe, --high, --ball and --safety need --measure or --impact-speed; add one of them")
     speed = None if texts["impact_speed"] is None else options.parsed("--impact-speed", texts["impact_speed"], "speed")
     if speed is not None and not speed > 0.0:
         raise InputError("--impact-speed", texts["impact_speed"], "above 0 m/s")
@@ -118,7 +118,7 @@ def head(name: HeadArgument, **texts: Any) -> None:
 @app.command("face")
 @options.takes(FACE, show.FOLDER, WORKERS, show.JSON)
 def face(name: HeadArgument, **texts: Any) -> None:
-    """Simulate restitution and characteristic time over the face of a head, one point on each core."""
+    """Simulate restitution and characteristic time over the face of a head, one point per core."""
     from clubface.fem import head_tests
     from clubface.fem.sweep import grid
 
@@ -136,17 +136,17 @@ def face(name: HeadArgument, **texts: Any) -> None:
 
 @app.command("design")
 @options.takes(
-    show.table_option("Write the best head to this TOML file, which fem head and shot read."),
-    show.plot_option("every design that was judged"), show.REPORT, {"resume": (options.Resume, False)}, WORKERS,
+    show.table_option("Write the best head to this TOML file, for fem head and shot."),
+    show.plot_option("all designs that were computed"), show.REPORT, {"resume": (options.Resume, False)}, WORKERS,
     show.JSON,
 )  # fmt: skip
 def design(
     study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A TOML file: head, walls that may change, what is best, limits.")
+        str, typer.Argument(metavar="STUDY", help="A TOML file: head, walls that may change, objective, limits.")
     ],
     **texts: Any,
 ) -> None:
-    """Find the walls of a head: a fast model proposes them, finite elements judge ball speed, stress and limits."""
+    """Find the best walls of a head: a fast model proposes designs, finite elements check speed, stress and limits."""
     from clubface.design.shells import improve, read
 
     shown = show.Output.check(texts, (study,), (".toml",))
@@ -162,7 +162,7 @@ def design(
 @app.command("reference")
 @options.takes(REFERENCE, show.JSON)
 def reference(**texts: Any) -> None:
-    """Throw the ball of Roh and Lee at a rigid plane, the case on which solvers are compared."""
+    """Throw the ball of Roh and Lee at a rigid plane, the case used to compare solvers."""
     from clubface import fem
     from clubface.fem.accuracy import DEFAULT, meshes
     from clubface.fem.impact_result import reference_result
@@ -187,13 +187,13 @@ def reference(**texts: Any) -> None:
 @options.takes(
     show.FOLDER,
     options.group(None, {
-        "frames": (int | None, None, "NUMBER", "Number of deformed shapes to keep; that of the case unless given."),
-        "animate": (bool, False, None, "With --output: also write a moving picture (GIF)."),
+        "frames": (int | None, None, "NUMBER", "Number of deformed shapes to keep; default: as in the case."),
+        "animate": (bool, False, None, "With --output: also write an animation (GIF)."),
     }),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def run(case: CaseArgument, **texts: Any) -> None:
-    """Run a case: ball, head, delivery and settings in one TOML file."""
+    """Run a case: ball, head, delivery and settings from one TOML file."""
     from clubface.fem import case as cases
     from clubface.fem.impact_result import impact_result
 
@@ -228,7 +228,7 @@ def run(case: CaseArgument, **texts: Any) -> None:
     show.JSON,
 )  # fmt: skip
 def paper(**texts: Any) -> None:
-    """Run the case of Roh and Lee by both methods of contact; compare with their figures; --output redraws them."""
+    """Run the case of Roh and Lee with both contact methods; compare with their figures; --output redraws them."""
     from clubface.fem import case as cases, paper as published
     from clubface.fem.impact_result import paper_result
 
@@ -252,9 +252,9 @@ def paper(**texts: Any) -> None:
 @app.command("sweep")
 @options.takes(GRID, CASE, show.FOLDER, WORKERS, show.JSON)
 def sweep(**texts: Any) -> None:
-    """Run a case over speeds and lofts, one run on each core; with --output it can be resumed.
+    """Run a case over speeds and lofts, one run per core; with --output it can be resumed.
 
-    Anything else of case, ball and head is swept by a study of the kind fem: clubface study run STUDY.
+    To sweep anything else in case, ball and head, use a study of the kind fem: clubface study run STUDY.
     """
     from clubface.fem import case as cases
 
@@ -268,7 +268,10 @@ def sweep(**texts: Any) -> None:
 def export(
     case: CaseArgument = "paper",
     form: Annotated[
-        str, typer.Option("--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu shapes over time.")
+        str,
+        typer.Option(
+            "--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu deformed shapes over time."
+        ),
     ] = "vtu",
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:

@@ -17,7 +17,7 @@ app = typer.Typer(add_completion=False)
     show.plot_option("the flight"), show.REPORT, show.JSON,
 )  # fmt: skip
 def flight(**texts: Any) -> None:
-    """Compute where a launched ball flies, bounces and rolls."""
+    """Compute how a launched ball flies, bounces and rolls."""
     from clubface.equipment.balls import ball
     from clubface.equipment.described import HANDS
     from clubface.simulation.results import outputs

@@ -12,15 +12,15 @@ from clubface.cli.failures import print_note
 from clubface.cli.recorded import RECORDED, Files, recorded_shots
 
 app = typer.Typer(
-    add_completion=False, no_args_is_help=True, help="Golfers: how their deliveries spread from shot to shot."
+    add_completion=False, no_args_is_help=True, help="Golfers: how their deliveries vary from shot to shot."
 )
-GolferArgument = Annotated[str, typer.Argument(metavar="GOLFER", help="Name of a shipped golfer, or a TOML file.")]
+GolferArgument = Annotated[str, typer.Argument(metavar="GOLFER", help="Name of a built-in golfer, or a TOML file.")]
 
 
 @app.command("list")
 @options.takes(show.JSON)
 def list_golfers(**texts: Any) -> None:
-    """List the golfers that come with the package."""
+    """List the built-in golfers."""
     from clubface.design.golfer import golfer, golfers
     from clubface.design.golfer_result import golfers_result
 
@@ -30,7 +30,7 @@ def list_golfers(**texts: Any) -> None:
 @app.command("show")
 @options.takes(show.table_option("Write a TOML file to start your own golfer from."), show.REPORT, show.JSON)
 def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
-    """Show means, spreads and correlations of a golfer, and where each figure comes from."""
+    """Show a golfer's means, spreads and correlations, and the source of each figure."""
     from clubface.design.golfer import golfer as golfer_named, to_toml
     from clubface.design.golfer_estimate import doubts
     from clubface.design.golfer_result import golfer_result
@@ -40,7 +40,7 @@ def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
     shown = show.Output.check(texts, (golfer,))
     player = golfer_named(golfer)
     if target is not None:
-        output.write_template(to_toml(player), target, f"clubface dispersion {target} takes it")
+        output.write_template(to_toml(player), target, f"use it as in: clubface dispersion {target}")
         if not shown.as_json and shown.report is None:
             return
     head = club(player.club).replace(hand=player.hand) if player.club in CLUB_NAMES else None
@@ -49,9 +49,9 @@ def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
 
 
 ESTIMATED = options.group(None, {
-    "name": (str, "my golfer", "NAME", "What to call the golfer."),
+    "name": (str, "my golfer", "NAME", "Name of the golfer."),
     "like": (str | None, None, "GOLFER",
-             "Golfer that supplies what was not measured; the shipped one nearest in speed unless given."),
+             "Golfer that supplies what was not measured; default: the built-in one nearest in speed."),
 })  # fmt: skip
 
 
@@ -74,7 +74,7 @@ def estimate(files: Files, **texts: Any) -> None:
     if shown.target is not None:
         write_text(shown.target, to_toml(estimated.golfer))
         own = "" if estimated.golfer.club in CLUB_NAMES else f" --club {texts['club']}"
-        print_note(f"wrote {shown.target}; clubface dispersion {shown.target}{own} takes it")
+        print_note(f"wrote {shown.target}; use it as in: clubface dispersion {shown.target}{own}")
     known = None if shown.report is None else doubts(estimated.golfer, shots.club)
     result = golfer_result(estimated.golfer, shots.club, estimated, known)
     replace(shown, target=None).show(result)

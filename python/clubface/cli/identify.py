@@ -20,30 +20,30 @@ app = typer.Typer(add_completion=False)
 
 FIT = options.group("What is fitted", {
     "free": (options.Texts, None, "NAME",
-             "Parameter to identify; several with commas or repeated, or all. As published unless given."),
+             "Parameter to identify; several: comma-separated or repeated, or all. Default: as published."),
     "tie": (options.Texts, None, "A=B", "Let parameter A take the value of the free B. Repeatable."),
     "bounds": (options.Texts, None, "NAME=LOW:HIGH", "Narrower bounds of a parameter. Repeatable."),
     "cost": (str, "published", None,
              "What is minimised: published (Caldwell and McPhee, Eq. 22), least-squares or robust."),
-    "normaliser": (str, "absolute", None, "Means by which Eq. 22 divides: absolute or signed."),
+    "normaliser": (str, "absolute", None, "Means in the denominators of Eq. 22: absolute or signed."),
     "noise": (options.Texts, None, "NAME=VALUE", 'Noise of the monitor: backspin="80 rpm". Repeatable.'),
     "quantity": (options.Texts, None, "NAME",
-                 "Launch quantity to compare. Repeatable; the five of Caldwell and McPhee unless given."),
+                 "Launch quantity to compare. Repeatable; default: the five of Caldwell and McPhee."),
 })  # fmt: skip
 SEARCH = options.group("Search and intervals", {
     "population": (int, 200, None, "Population of the genetic algorithm."),
     "generations": (int, 100, None, "Generations of the genetic algorithm."),
-    "refined": (int, 5, None, "How many of the best points are refined by derivatives."),
-    "folds": (int, 5, None, "Folds of the hold-out; 0 for none."),
-    "bootstrap": (int, 200, None, "Bootstrap samples; 0 for none."),
+    "refined": (int, 5, None, "Number of best points to refine with derivatives."),
+    "folds": (int, 5, None, "Number of hold-out folds; 0 for none."),
+    "bootstrap": (int, 200, None, "Number of bootstrap samples; 0 for none."),
     "profiles": (bool, True, None, "Compute profile likelihoods."),
     "confidence": (float, 0.95, None, "Confidence of the intervals."),
-    "seed": (int, 1, None, "Seed of the random numbers."),
-    "threads": (int | None, None, "N", "Number of threads; all cores unless given."),
+    "seed": (int, 1, None, "Random seed."),
+    "threads": (int | None, None, "N", "Number of threads; default: all cores."),
 })  # fmt: skip
 FILES = options.group(None, {
     "checkpoint": (str | None, None, "FOLDER",
-                   "Folder that keeps what is finished; SHOTS-CLUB-MODEL.checkpoint unless given."),
+                   "Folder that keeps finished work; default SHOTS-CLUB-MODEL.checkpoint."),
 })  # fmt: skip
 _PASSED_ON = ("cost", "normaliser", *(name for name in SEARCH if name != "profiles"), "ball", "accuracy")
 """Options that reach the fit as they are."""
@@ -61,18 +61,18 @@ def identify(
     at_launch: options.AtLaunch = False,
     target: Annotated[
         str | None,
-        options.output("FILE", "Write the parameters to this TOML file, which --parameters takes elsewhere."),
+        options.output("FILE", "Write the parameters to this TOML file, for --parameters of other commands."),
     ] = None,
     resume: options.Resume = False,
     **texts: Any,
 ) -> None:
-    """Identify parameters of a model from shots whose delivery and launch were measured."""
+    """Identify model parameters from shots with measured delivery and launch."""
     ties = {name: value.strip() for name, value in options.pairs(texts["tie"] or (), "--tie").items()}
     read = [shots, *(texts[name] for name in ("club", "ball", "parameters", "mapping"))]
     output.check_target("--output", target, (".toml",), read)
     shown = show.Output.check(texts, read)
     if texts["model"] is None:
-        raise ClubfaceError("--model is missing; name the model whose parameters to find, as in --model slip")
+        raise ClubfaceError("--model is missing; name the model to fit, as in --model slip")
     model = model_named(texts["model"]).name
 
     from clubface.inference.identification.run import identify as fit

@@ -20,17 +20,17 @@ app = typer.Typer(add_completion=False)
 
 INFERENCE = options.group(None, {
     "prior": (str | None, None, "NAME|FILE",
-              "Prior of the deliveries: elite, tour, wide or a TOML file; elite, or else tour, unless given."),
+              "Prior of the deliveries: elite, tour, wide or a TOML file; the default depends on the club."),
     "noise": (options.Texts, None, "NAME=VALUE",
               'Standard deviation of a measurement: "backspin=100 rpm". Repeatable.'),
     "delivery_noise": (options.Texts, None, "NAME=VALUE",
                        'The same for measured club data: "attack=2 deg". Repeatable.'),
     "ignore": (options.Texts, None, "NAME",
-               "Club data in the file to ignore, several with commas or repeated, or all."),
+               "Club data in the file to ignore; several: comma-separated or repeated, or all."),
     "samples": (int | None, None, "N", "Number of deliveries drawn; 2000, or 400 for each shot of a file."),
 })  # fmt: skip
 _OUTPUT = options.output(
-    "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with a row for each."
+    "FILE", "Write the draws, CSV or Parquet; for a file of launches, a CSV file with one row per launch."
 )
 
 
@@ -41,14 +41,14 @@ _OUTPUT = options.output(
 )  # fmt: skip
 def infer(
     shots: Annotated[
-        str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, in place of the options of one launch.")
+        str | None, typer.Argument(metavar="[SHOTS]", help="A file of launches, instead of the options for one launch.")
     ] = None,
     seed: options.Seed = 0,
     target: Annotated[str | None, _OUTPUT] = None,
     resume: options.Resume = False,
     **texts: Any,
 ) -> None:
-    """Sample the deliveries that can have made a launch, and say what the launch leaves open."""
+    """Sample the deliveries that could have produced a launch, and say what the launch does not determine."""
     from clubface.simulation.inputs import OF_CLUB
 
     dimensions = {name: outputs()[name].dimension for name in options.MEASURED_LAUNCH}
@@ -66,7 +66,7 @@ def infer(
         _infer_file(shots, texts, settings, target, resume)
         return
     if texts["ignore"]:
-        raise ClubfaceError("--ignore is for a file of shots; of one launch, leave out the club data itself")
+        raise ClubfaceError("--ignore is for a file of shots; for a single launch, leave out the club data itself")
     if texts["club"] is None:
         raise ClubfaceError("--club is missing; give the club, as in --club driver")
     head = options.club_of(texts["club"], texts["hand"], texts.get("model"))

@@ -18,23 +18,23 @@ app = typer.Typer(add_completion=False)
 
 
 MAP = options.group(None, {
-    "minus": (str | None, None, "CLUB", "Map the first club less this one."),
-    "quantity": (options.Texts, None, "NAME", "A quantity, such as carry. Several with commas or repeated."),
-    "grid": (str | None, None, "101x101", "Points towards the toe and upwards."),
+    "minus": (str | None, None, "CLUB", "Map the first club minus this one."),
+    "quantity": (options.Texts, None, "NAME", "A quantity, such as carry. Several: comma-separated or repeated."),
+    "grid": (str | None, None, "101x101", "Number of points towards the toe and upwards."),
     "spread": (str | None, None, '"12 mm x 9 mm"', "Standard deviations of impacts towards the toe and upwards, about "
-               "--toe and --high: what they cost."),
-    "workers": (int | None, None, "N", "With fem: points at a time; all cores unless given."),
+               "--toe and --high, to compute what they cost."),
+    "workers": (int | None, None, "N", "With fem: number of points at a time; default: all cores."),
 })  # fmt: skip
 
 
 @app.command()
 @options.takes(
     options.DELIVERY, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, MAP, show.UNITS,
-    show.table_option("Write the map, a row for each point, CSV or Parquet."), show.plot_option("contours on the face"),
+    show.table_option("Write the map, one row per point, CSV or Parquet."), show.plot_option("contours on the face"),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def map_(club: options.ClubArgument, **texts: Any) -> None:
-    """Map ball speed, launch, spin and carry over the face, with its sweet spot and what bad strikes cost."""
+    """Map ball speed, launch, spin and carry over the face, with the sweet spot and what off-centre strikes cost."""
     from clubface.design.face_map import FaceMapDifference, map_face
     from clubface.design.face_map_result import LISTED
     from clubface.design.face_surface import finished
@@ -46,7 +46,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     about = {name: delivery.pop(name) for name in ("toe", "high") if name in delivery}
     deviations = None if spread is None else _spread(spread)
     if about and deviations is None:
-        raise ClubfaceError("--toe and --high say about which point impacts scatter; give --spread too")
+        raise ClubfaceError("--toe and --high are the point about which impacts scatter; give --spread too")
     names = _quantities(texts["quantity"])
     listed = {*(names or LISTED), "ball_speed", "carry"}  # the best points are of the last two
     if hidden := [name for name in output.units if name not in listed]:

@@ -30,28 +30,26 @@ SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 PORT = options.group(None, {"port": (int, 921, "NUMBER", "Port on this machine.")})
 HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
 _CLUBS = options.option(
-    "--club", metavar="CLUB|NAME=CLUB", text="Refer club data to this club, or NAME=CLUB for each name in the file."
+    "--club", metavar="CLUB|NAME=CLUB", text="Convert club data for this club, or NAME=CLUB for each name in the file."
 )
 
-app = typer.Typer(
-    add_completion=False, no_args_is_help=True, help="Launch monitors: their files, and their shots live."
-)
+app = typer.Typer(add_completion=False, no_args_is_help=True, help="Launch monitors: files and live shots.")
 
 
 @app.command()
 @options.takes(
     PORT,
     options.group(None, {
-        "hand": (str | None, None, "right|left", "Hand of the player, sent to the monitor."),
-        "club": (str | None, None, "NAME", "Club that is sent to the monitor: DR."),
+        "hand": (str | None, None, "right|left", "Hand of the player, to send to the monitor."),
+        "club": (str | None, None, "NAME", "Club to send to the monitor: DR."),
         "shots": (int | None, None, "NUMBER", "End after this many shots."),
         "timeout": (str | None, None, '"60 s"', "End when nothing has come for this long."),
         "json": (bool, False, None, "Print one JSON document for each shot."),
     }),
-    show.table_option("Write the shots to a new table, CSV or Parquet, kept up to date."),
+    show.table_option("Write the shots to a new CSV or Parquet file, kept up to date."),
 )  # fmt: skip
 def listen(**texts: Any) -> None:
-    """Receive the shots of launch monitors that speak GSPro Open Connect, as the simulator does."""
+    """Receive shots from launch monitors over GSPro Open Connect, in place of the simulator."""
     from clubface.shots.messages import recorded
     from clubface.shots.open_connect import Listener
     from clubface.shots.tables.writer import KINDS
@@ -96,16 +94,16 @@ def listen(**texts: Any) -> None:
 @options.takes(
     PORT, READING,
     options.group(None, {
-        "shot": (str | None, None, "FIRST:LAST", "Only these, from 1; all unless given."),
-        "pause": (str, "0 s", '"2 s"', "Pause between two shots."),
-        "timeout": (str, "5 s", '"5 s"', "Wait for each answer."),
+        "shot": (str | None, None, "FIRST:LAST", "Send only these, counted from 1; default: all."),
+        "pause": (str, "0 s", '"2 s"', "Pause between shots."),
+        "timeout": (str, "5 s", '"5 s"', "How long to wait for each answer."),
     }),
 )  # fmt: skip
 def send(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a table of clubface.")],
+    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a clubface table.")],
     **texts: Any,
 ) -> None:
-    """Send the launches of a table to a simulator by GSPro Open Connect, as a launch monitor does."""
+    """Send the launches of a table to a simulator over GSPro Open Connect, in place of a launch monitor."""
     from clubface.shots.open_connect import Sender
 
     shots = read_shots(file, texts | {"hand": None}, where=True)
@@ -134,7 +132,7 @@ def send(
             refused += not answer.was_taken
             print(f"shot {row + 1}: {answer.code} {answer.message}", flush=True)
     if refused:
-        print_note(f"{refused} of {last - first + 1} shots were not taken")
+        print_note(f"{refused} of {last - first + 1} shots were not accepted")
         raise typer.Exit(2)
 
 
@@ -160,11 +158,11 @@ def report(
     files: Files,
     target: Annotated[str, options.output("FILE", "The report to write: .html or .md, with its pictures inside.")],
     club: Annotated[
-        str | None, options.option("--club", metavar="NAME", text="The club, where the shots name none: 7-iron.")
+        str | None, options.option("--club", metavar="NAME", text="The club, if the shots do not name one: 7-iron.")
     ] = None,
     **texts: Any,
 ) -> None:
-    """Write a report for a player, in plain language: what was measured, what it means, and how sure that is."""
+    """Write a report for a player, in plain language: what was measured, what it means, and how certain that is."""
     from dataclasses import replace
 
     import numpy as np
@@ -183,9 +181,7 @@ def report(
 
 
 @app.command()
-@options.takes(
-    READING, {"hand": HAND}, show.table_option("Write one table, CSV or Parquet by its ending."), show.REPORT, show.JSON
-)
+@options.takes(READING, {"hand": HAND}, show.table_option("Write one CSV or Parquet file."), show.REPORT, show.JSON)
 def read(
     files: Files,
     club: Annotated[list[str] | None, _CLUBS] = None,
@@ -219,7 +215,7 @@ def formats(
     ] = None,
     **texts: Any,
 ) -> None:
-    """List the layouts that are read, or show the columns of one."""
+    """List the supported layouts, or show the columns of one."""
     from clubface.shots.monitors import format_result, formats_result
 
     show.Output.check(texts).show(formats_result() if name is None else format_result(name))

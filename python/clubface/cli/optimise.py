@@ -16,18 +16,18 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(
     show.table_option(
-        "Write the best club to this TOML file, which clubface shot reads; or all combinations of a fitting, CSV."
+        "Write the best club to this TOML file, for clubface shot; or all combinations of a fitting, CSV."
     ),
-    show.plot_option("the landings, and the front, the bounds or the parts"), show.REPORT,
+    show.plot_option("the landings, and the front, bounds or parts"), show.REPORT,
     {"resume": (options.Resume, False)}, options.WORTH, show.JSON,
 )  # fmt: skip
 def optimise(
     study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A TOML file: what may change, what is best, for whom.")
+        str, typer.Argument(metavar="STUDY", help="A TOML file: what may change, the objective, for whom.")
     ],
     **texts: Any,
 ) -> None:
-    """Find the club that is best for golfers within limits, or the parts that fit them."""
+    """Find the best club for golfers within limits, or the parts that fit them best."""
     from clubface.design.optimisation.fitting import Fitting
     from clubface.design.optimisation.fitting_run import fit
     from clubface.design.optimisation.run import optimise as find_optimum

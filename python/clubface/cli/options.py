@@ -77,25 +77,25 @@ ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a bui
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
 Folder = Annotated[str | None, output("FOLDER", "Write tables and pictures to this folder.")]
 Template = Annotated[str | None, output("FILE", "Write it to this file instead of the screen.")]
-Format = Annotated[str | None, option("--format", metavar="NAME", text="Layout of the file; recognised unless given.")]
+Format = Annotated[str | None, option("--format", metavar="NAME", text="Layout of the file; recognised by default.")]
 ColumnsFile = Annotated[
     str | None, option("--mapping", metavar="FILE", text="TOML file that names the columns of any other CSV file.")
 ]
 Resume = Annotated[
-    bool, typer.Option("--resume", help="Refuse to begin anew where a run with other inputs was interrupted.")
+    bool, typer.Option("--resume", help="Stop, instead of starting over, if the interrupted run had other inputs.")
 ]
 AtLaunch = Annotated[
     bool,
     typer.Option(
-        "--at-launch", help="Compare at the measured launch: loft and face are solved, not taken from the file."
+        "--at-launch", help="Compare at the measured launch: solve loft and face angle instead of reading them."
     ),
 ]
 Texts = list[str] | None
-Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Seed of the random numbers.")]
+Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Random seed.")]
 
 Report = Annotated[
     str | None,
-    option("--report", metavar="FILE", text="Write a report with words, pictures and sources: .html or .md."),
+    option("--report", metavar="FILE", text="Write a report with text, pictures and sources: .html or .md."),
 ]
 
 
@@ -110,11 +110,11 @@ _CLUB_DATA = {
     "path": ("2 deg", "Club path: to the right is positive."),
     "loft": ("12.8 deg", "Dynamic loft."),
     "face": ("1 deg", "Face angle: to the right is positive."),
-    "lie": ("1 deg", "Lie: toe up is positive; the face angle holds whatever the lie."),
+    "lie": ("1 deg", "Lie: toe up is positive; does not change the face angle."),
     "toe": ("8 mm", "Impact point: towards the toe is positive."),
     "high": ("-3 mm", "Impact point: towards the crown is positive."),
     "closure": ("2400 deg/s", "Rate at which the face closes."),
-    "pitch_rate": ("500 deg/s", "Rate at which the loft grows."),
+    "pitch_rate": ("500 deg/s", "Rate at which the loft increases."),
     "lie_rate": ("100 deg/s", "Rate at which the toe rises."),
 }
 DELIVERY: Group = _quantities(
@@ -122,19 +122,19 @@ DELIVERY: Group = _quantities(
     **_CLUB_DATA
     | {
         "speed": ("113 mph", "Speed of the clubhead's CG. Required."),
-        "loft": ("12.8 deg", "Dynamic loft; the club's static loft unless given."),
+        "loft": ("12.8 deg", "Dynamic loft; default: the club's static loft."),
         "ball_backspin": ("300 rpm", "Backspin of the ball before impact."),
         "ball_sidespin": ("300 rpm", "Sidespin of the ball before impact."),
-        "ball_riflespin": ("300 rpm", "Spin of the ball before impact about the line to the target."),
+        "ball_riflespin": ("300 rpm", "Spin of the ball before impact about the target line."),
     },
 )
-MEASURED_CLUB: Group = _quantities("Club data, as much of it as was measured", **_CLUB_DATA)
+MEASURED_CLUB: Group = _quantities("Club data, as far as measured", **_CLUB_DATA)
 _DIRECTION_AND_SPIN = {
     "azimuth": ("1 deg", "Azimuth: to the right is positive."),
-    "backspin": ("2700 rpm", "Backspin; two of backspin, sidespin, total spin and spin axis give the others."),
+    "backspin": ("2700 rpm", "Backspin; any two of backspin, sidespin, total spin and spin axis are enough."),
     "sidespin": ("-200 rpm", "Sidespin: curving to the right is positive."),
-    "total_spin": ("2700 rpm", "Total spin; it needs the axis or another of the spins with it."),
-    "spin_axis": ("3 deg", "Axis of the spin: tilted to the right is positive."),
+    "total_spin": ("2700 rpm", "Total spin; also give the spin axis or another spin."),
+    "spin_axis": ("3 deg", "Spin axis: tilted to the right is positive."),
 }
 LAUNCH: Group = _quantities(
     "Launch",
@@ -143,7 +143,7 @@ LAUNCH: Group = _quantities(
     **_DIRECTION_AND_SPIN,
 )
 MEASURED_LAUNCH: Group = _quantities(
-    "Launch, as much of it as was measured",
+    "Launch, as far as measured",
     ball_speed=("159 mph", "Speed of the ball."),
     launch=("14.5 deg", "Launch angle: up is positive."),
     **_DIRECTION_AND_SPIN,
@@ -152,33 +152,27 @@ MEASURED_LAUNCH: Group = _quantities(
 _EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
 Ball = Annotated[
     str | None,
-    option(
-        "--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; modern unless given."
-    ),
+    option("--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; default modern."),
 ]
 BALL: Group = {"ball": (Ball, None)}
 EQUIPMENT: Group = {
-    "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; its own unless given."),
+    "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; default: as in the club's file."),
     **BALL,
 }
 SHAFT: Group = {
-    "shaft": text_option(
-        "--shaft", _EQUIPMENT, "NAME|FILE", "A built-in shaft or a TOML file; a free head unless given."
-    ),
+    "shaft": text_option("--shaft", _EQUIPMENT, "NAME|FILE", "A built-in shaft or a TOML file; default: a free head."),
 }
 
-PLAYER_HAND = text_option(
-    "--hand", None, "right|left", "Hand of the player, for the name of the shot; right unless given."
-)
+PLAYER_HAND = text_option("--hand", None, "right|left", "Hand of the player, for the name of the shot; default right.")
 
-MODELS_TEXT = "A model, or several with commas or repeated; all unless given."
+MODELS_TEXT = "A model, or several, comma-separated or repeated; default: all."
 Models = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
-_MODEL_NAMES = f"A model, or several with commas or repeated, or all; {DEFAULT_MODEL} unless given."
+_MODEL_NAMES = f"A model, or several, comma-separated or repeated, or all; default {DEFAULT_MODEL}."
 _ModelNames = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=_MODEL_NAMES)]
-_ONE_MODEL_TEXT = f"The model; {DEFAULT_MODEL} unless given."
+_ONE_MODEL_TEXT = f"The model; default {DEFAULT_MODEL}."
 _ONE_MODEL = Annotated[str, option("--model", panel=_MODEL, metavar="NAME", text=_ONE_MODEL_TEXT)]
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
-_ACCURACY_TEXT = "Relative tolerance of a step of a contact model, 1e-13 to 1e-2."
+_ACCURACY_TEXT = "Relative step tolerance of a contact model, 1e-13 to 1e-2."
 Setting = Annotated[list[str] | None, option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)]
 _PARAMETERS: Group = {
     "parameters": text_option("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
@@ -206,15 +200,15 @@ MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
 
 AIR: Group = {
     "air": text_option("--air", _AIR, "TEXT", 'All of these in one text: "temperature=30 degC, altitude=1600 m".'),
-    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Temperature of the air; 25 degC unless given."),
+    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Air temperature; default 25 degC."),
     "altitude": text_option("--altitude", _AIR, '"1600 m"', "Altitude of the course, which sets the pressure."),
-    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "Pressure at the course; that at sea level unless given."),
-    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity; 50 % unless given."),
+    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "Pressure at the course; default: sea level."),
+    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity; default 50 %."),
     "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or wind along and to the right: "5 m/s, -2 m/s".'),
 }
 
 GROUND: Group = {
-    "ground": text_option("--ground", "Ground", '"firm fairway"', "Where the ball lands; a fairway unless given."),
+    "ground": text_option("--ground", "Ground", '"firm fairway"', "Where the ball lands; default: a fairway."),
 }
 
 WORTH: Group = {
@@ -224,8 +218,8 @@ WORTH: Group = {
             option(
                 "--worth",
                 metavar="NAME=VALUE",
-                text='The smallest difference worth a change: "carry=3 yd". 2 yd of carry and total, 1 yd of '
-                "side_spread and 0.01 strokes unless given. Repeatable.",
+                text='The smallest difference worth a change: "carry=3 yd". Default: 2 yd of carry and total, 1 yd of '
+                "side_spread and 0.01 strokes. Repeatable.",
             ),
         ],
         None,
@@ -289,9 +283,9 @@ def parsed(option: str, text: str, dimension: str) -> float:
     least, most, unit = USUAL_OF.get(option) or USUAL.get(dimension) or (0.0, math.inf, si)
     if not least <= abs(value) <= most:
         raise ClubfaceError(
-            f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a number alone is in {si}'
+            f'{option} {number} has no unit; give it, as in {option} "{number} {unit}": a bare number is in {si}'
         )
-    print_note(f"note: {option} {text} has no unit and is taken in {si}")
+    print_note(f"note: {option} {text} has no unit and is read in {si}")
     return value
 
 
@@ -324,8 +318,8 @@ def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | Non
     computed = [model] if isinstance(model, str) else [*(model or ())]
     if hasattr(result, "head") and not result.characteristic_time and computed != ["fem"]:
         print_note(
-            f"note: every model but fem takes the face of {result.name} as rigid, or as that of its parameters;"
-            f" clubface fem head {name} --measure measures how it gives, and prints the line that states it in the file"
+            f"note: every model except fem treats the face of {result.name} as rigid, or as included in its parameters;"
+            f" clubface fem head {name} --measure simulates how it gives, and prints the line to add to the file"
         )
     return result if hand is None else result.replace(hand=hand)
 
@@ -348,7 +342,7 @@ def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
     """Refuse an accuracy of which none of the models makes any use."""
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
-        words = f"leave it out: no steps are taken by {', '.join(names)}; those with steps are {', '.join(contact)}"
+        words = f"leave it out: {', '.join(names)} has no time steps; models with time steps: {', '.join(contact)}"
         raise InputError("--accuracy", accuracy, words)
 
 

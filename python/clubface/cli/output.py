@@ -90,7 +90,7 @@ def check_report(target: str | None, inputs: Iterable[str | None] = (), name: st
 def check_resume(resume: bool, target: str | None) -> None:
     """Refuse to go on with work of which nothing was kept, as no file is written."""
     if resume and target is None:
-        raise ClubfaceError("--output is missing; what is finished is kept next to it, so --resume needs it")
+        raise ClubfaceError("--output is missing; finished work is kept next to it, so --resume needs it")
 
 
 def prepare_folder(folder: str | None) -> None:
@@ -137,7 +137,7 @@ def progress_bar(text: str | Callable[..., str], *, kept: str | None = None) -> 
             nonlocal last
             now = monotonic()
             if last is None:
-                print_note(f"working; what is finished is kept next to {kept}: if interrupted, give the command again")
+                print_note(f"working; finished work is kept next to {kept}: if interrupted, give the command again")
             elif now - last >= SECONDS_BETWEEN_LINES:
                 print_note(f"{words_of(done, whole, *more)} ({done / (whole or 1):.0%})")
             else:

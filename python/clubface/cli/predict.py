@@ -20,7 +20,7 @@ TAKEN = (
 
 
 FILES = options.group(None, {
-    "rejects": (str | None, None, "FILE", "Write the rows that cannot be used, with reasons."),
+    "rejects": (str | None, None, "FILE", "Write the unusable rows, with reasons."),
     "carry": (bool, True, None, "Compute the flight too."),
 })  # fmt: skip
 
@@ -28,7 +28,7 @@ FILES = options.group(None, {
 @app.command()
 @options.takes(
     CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR,
-    show.table_option("Write the launches, CSV or Parquet by its ending."), FILES, {"resume": (options.Resume, False)},
+    show.table_option("Write the launches to this CSV or Parquet file."), FILES, {"resume": (options.Resume, False)},
     show.JSON,
 )  # fmt: skip
 def predict(
@@ -36,7 +36,7 @@ def predict(
         str,
         typer.Argument(
             metavar="DELIVERIES",
-            help="CSV or Parquet file whose columns have names with units, or a launch monitor's file.",
+            help="CSV or Parquet file with units in the column names, or a launch monitor's file.",
         ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],

@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
 _SHOTS = "Shots"
 _UNIT = options.option(
-    "--unit", panel=_SHOTS, metavar="NAME=UNIT", text="Unit where the file names none: speed=km/h, carry=m. Repeatable."
+    "--unit",
+    panel=_SHOTS,
+    metavar="NAME=UNIT",
+    text="Unit that the file does not name: speed=km/h, carry=m. Repeatable.",
 )
 READING: Group = {
     "format": (options.Format, None),
@@ -25,21 +28,19 @@ READING: Group = {
     "file_unit": (Annotated[options.Texts, _UNIT], None),
     **options.group(_SHOTS, {
         "where": (str | None, None, "CONDITION",
-                  "Take only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
+                  "Use only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
     }),
 }  # fmt: skip
 """Options of a command that reads a file of shots."""
 CHOICE: Group = {**READING, **options.group(_SHOTS, {
-    "only": (str | None, None, "NAME", "Take only the shots of the club with this name in the file."),
-    "mismatch": (str, "refuse", "refuse|note", "What happens to shots that look like those of another club."),
+    "only": (str | None, None, "NAME", "Use only the shots of the club with this name in the file."),
+    "mismatch": (str, "refuse", "refuse|note", "Refuse shots of another club, or accept them with a note."),
     "assume": (options.Texts, None, "NAME=VALUE",
-               'Value of a delivery where it was not measured: "toe=0 mm". Repeatable.'),
+               'Value to assume where it was not measured: "toe=0 mm". Repeatable.'),
 })}  # fmt: skip
 """Options of a command that works on shots of one club."""
 RECORDED: Group = {
-    "club": text_option(
-        "--club", "Club and ball", "CLUB", "Name or TOML file; the club that the shots name unless given."
-    ),
+    "club": text_option("--club", "Club and ball", "CLUB", "Name or TOML file; default: the club that the shots name."),
     **CHOICE,
     **options.EQUIPMENT,
 }
@@ -48,7 +49,7 @@ RECORDED: Group = {
 
 Files = Annotated[
     list[str],
-    typer.Argument(metavar="FILE...", help="Shots: monitors' files, or tables; several are sessions of one record."),
+    typer.Argument(metavar="FILE...", help="Shots: monitors' files, or tables; several files are several sessions."),
 ]
 
 

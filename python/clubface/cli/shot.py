@@ -21,7 +21,7 @@ DRAWN = 1e-8
 @app.command()
 @options.takes(
     options.DELIVERY, options.EQUIPMENT, options.SHAFT, options.MODELS, options.AIR, options.GROUND, show.UNITS,
-    show.table_option("Write the table, CSV or Parquet by its ending."), show.plot_option("forces and flight"),
+    show.table_option("Write the table to this CSV or Parquet file."), show.plot_option("forces and flight"),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def shot(club: options.ClubArgument, **texts: Any) -> None:

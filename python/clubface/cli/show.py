@@ -23,7 +23,7 @@ UNITS: options.Group = {
         Annotated[
             list[str] | None,
             options.option(
-                "--unit", metavar="NAME=UNIT", text='The unit of a quantity for people: "carry=m". Repeatable.'
+                "--unit", metavar="NAME=UNIT", text='Unit of a quantity in tables and pictures: "carry=m". Repeatable.'
             ),
         ],
         None,
@@ -42,7 +42,7 @@ def table_option(words: str) -> options.Group:
     return {"target": (Annotated[str | None, options.output("FILE", words)], None)}
 
 
-TABLE = table_option("Write the main table, CSV or Parquet by its ending.")
+TABLE = table_option("Write the main table to this CSV or Parquet file.")
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Output:
             texts.get("folder"), _units(texts.get("unit")),
         )  # fmt: skip
         if result.as_json and result.units and result.plot is None and result.report is None:
-            raise ClubfaceError("--unit is for tables and pictures; JSON names its units: leave out --unit or --json")
+            raise ClubfaceError("--unit is for tables and pictures; JSON has fixed units: leave out --unit or --json")
         output.check_target("--output", result.target, TABLES if kinds is None else kinds, given)
         output.check_picture(result.plot, given)
         output.check_report(result.report, given)

@@ -22,21 +22,21 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(
     options.group(None, {
-        "port": (int, 8642, "NUMBER", "Port on this machine; 0 takes a free one."),
-        "studies": (str | None, None, "FOLDER", "Folder in which the stores of studies lie, to look at them."),
+        "port": (int, 8642, "NUMBER", "Port on this machine; 0 picks a free one."),
+        "studies": (str | None, None, "FOLDER", "Also show the study stores in this folder."),
         "open": (bool, False, None, "Open it in the browser."),
-        "site": (str | None, None, "FOLDER", "Folder of another built studio."),
+        "site": (str | None, None, "FOLDER", "Folder with another built studio."),
     }),
     options.group("Live shots", {
-        "live": (str | None, None, "FILE", "Take live shots of launch monitors, and keep all of them in this file."),
-        "open_connect": (int, 921, "PORT", "Where monitors of GSPro Open Connect find the studio."),
-        "opengolfsim": (int, 3111, "PORT", "Where monitors of OpenGolfSim find the studio."),
-        "flight_relay": (str, FLIGHT_RELAY, "ADDRESS|PORT", "A device of Flight Relay, or the port it connects to."),
-        "simulator": (options.Texts, None, "NAME:PORT", "Send launches on, to open-connect:PORT or opengolfsim:PORT."),
+        "live": (str | None, None, "FILE", "Receive live shots from launch monitors, and keep them in this file."),
+        "open_connect": (int, 921, "PORT", "Port for monitors that use GSPro Open Connect."),
+        "opengolfsim": (int, 3111, "PORT", "Port for monitors that use OpenGolfSim."),
+        "flight_relay": (str, FLIGHT_RELAY, "ADDRESS|PORT", "A Flight Relay device, or the port it connects to."),
+        "simulator": (options.Texts, None, "NAME:PORT", "Forward launches to open-connect:PORT or opengolfsim:PORT."),
     }),
 )  # fmt: skip
 def studio(**texts: Any) -> None:
-    """Serve the studio on this machine: files of monitors, golfers, fittings, studies, live shots."""
+    """Serve the studio on this machine: monitor files, golfers, fittings, studies, live shots."""
     from clubface.shots.live_links import simulator_address
     from clubface.studio.serve import serve
 

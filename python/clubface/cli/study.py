@@ -11,18 +11,16 @@ from clubface.cli.output import progress_bar
 from clubface.errors import InputError
 
 app = typer.Typer(
-    add_completion=False, no_args_is_help=True, help="Studies: any inputs of a shot swept, on one machine or a cluster."
+    add_completion=False, no_args_is_help=True, help="Studies: sweep any inputs, on one machine or a cluster."
 )
 
 StudyOrStore = Annotated[
-    str, typer.Argument(metavar="STUDY", help="TOML file of a study, or the folder of its finished parts.")
+    str, typer.Argument(metavar="STUDY", help="TOML file of a study, or the folder with its finished parts.")
 ]
-STORE = options.group(
-    None, {"store": (str | None, None, "FOLDER", "Folder of the finished parts; STUDY.store unless given.")}
-)
+STORE = options.group(None, {"store": (str | None, None, "FOLDER", "Folder for finished parts; default STUDY.store.")})
 WHERE = options.group(None, {
-    "workers": (int | None, None, "N", "Processes at a time; one for each processor unless given."),
-    "shard": (str | None, None, "K/N", "Compute share K of N; slurm or kubernetes/N in a job's array."),
+    "workers": (int | None, None, "N", "Number of processes; default: one per processor."),
+    "shard": (str | None, None, "K/N", "Compute only share K of N; slurm or kubernetes/N in an array job."),
     "scheduler": (str | None, None, "ADDRESS", "Compute on the Dask cluster with this scheduler."),
 })  # fmt: skip
 
@@ -30,7 +28,7 @@ WHERE = options.group(None, {
 @app.command("run")
 @options.takes(WHERE, STORE, show.JSON)
 def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")], **texts: Any) -> None:
-    """Compute what is missing of a study; what is finished stays, whatever happens."""
+    """Compute the missing parts of a study; finished parts are kept, whatever happens."""
     from clubface.studies.running import run as compute
 
     shown = show.Output.check(texts)
@@ -41,10 +39,10 @@ def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of
 
 @app.command("status")
 @options.takes(
-    options.group(None, {"check": (bool, False, None, "Read every part and name the damaged ones.")}), STORE, show.JSON
+    options.group(None, {"check": (bool, False, None, "Read every part and list the damaged ones.")}), STORE, show.JSON
 )
 def status(study: StudyOrStore, **texts: Any) -> None:
-    """Show how far a study is."""
+    """Show the progress of a study."""
     from clubface.studies.running import status as state
 
     shown = show.Output.check(texts)
@@ -54,9 +52,9 @@ def status(study: StudyOrStore, **texts: Any) -> None:
 
 
 @app.command("join")
-@options.takes(show.table_option("Write the table, Parquet or CSV by its ending."), STORE, show.JSON)
+@options.takes(show.table_option("Write the table to this Parquet or CSV file."), STORE, show.JSON)
 def join(study: StudyOrStore, **texts: Any) -> None:
-    """Put all parts together in the order of the tasks, and print the SHA-256 of every column."""
+    """Join all parts in the order of the tasks, and print the SHA-256 of every column."""
     from clubface.studies.joining import join as put_together
 
     shown = show.Output.check(texts, (study,))
@@ -71,11 +69,11 @@ def summary(
     study: StudyOrStore,
     quantities: Annotated[
         list[str] | None,
-        options.option("--output", metavar="NAMES", text="Quantities with commas or repeated; all unless given."),
+        options.option("--output", metavar="NAMES", text="Quantities, comma-separated or repeated; default: all."),
     ] = None,
     **texts: Any,
 ) -> None:
-    """Print means, spreads and extremes, of all tasks and along every input that was swept."""
+    """Print means, spreads and extremes of all tasks and along every swept input."""
     from clubface.studies.summaries import summary as sum_up
 
     shown = show.Output.check(texts, [study])

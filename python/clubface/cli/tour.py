@@ -13,7 +13,7 @@ from clubface.errors import RangeWarning
 
 app = typer.Typer(add_completion=False)
 
-TABLES_TEXT = "pga-2023, pga-2019, lpga-2019, or several with commas; all means every one. pga-2023 unless given."
+TABLES_TEXT = "pga-2023 (default), pga-2019, lpga-2019, several separated by commas, or all."
 
 
 @app.command()
@@ -23,7 +23,7 @@ def tour(
     model: options.Models = None,
     **texts: Any,
 ) -> None:
-    """Compute the published tour averages, club by club, by the default model, then by every model."""
+    """Compute the published tour averages, club by club, with the default model, then with every model."""
     from clubface.simulation.impact import Tally
     from clubface.support.checks import without_warnings
     from clubface.validation.tour import DEFAULT_TABLE, TABLES, published_table, tour as run, tour_result

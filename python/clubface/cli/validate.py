@@ -14,13 +14,13 @@ app = typer.Typer(add_completion=False)
 
 CHOICE = options.group(None, {
     "check": (options.Texts, None, "NAME",
-              "Only this check, or several with commas or repeated, with every figure and its source."),
-    "model": (options.Texts, None, "NAME", "A model, or several with commas or repeated; all means every reduced model."
-              f" {DEFAULT_MODEL} unless given."),
+              "Only this check, or several, comma-separated or repeated, with every figure and its source."),
+    "model": (options.Texts, None, "NAME", "A model, or several, comma-separated or repeated; all: every reduced model."
+              f" Default {DEFAULT_MODEL}."),
     "causes": (bool, False, None,
-               "Also strikes off the centre with one thing changed: closure, inertia or depth of the mass centre."),
+               "Repeat off-centre strikes with one thing changed: closure, inertia or depth of the centre of mass."),
 })  # fmt: skip
-_WITH_TEXT = "A monitor's file whose spins are compared with the model and both camps of published irons. Repeatable."
+_WITH_TEXT = "A monitor's file, whose spins are compared with the model and both camps of published irons. Repeatable."
 
 
 @app.command()
@@ -29,7 +29,7 @@ def validate(
     session: Annotated[list[str] | None, options.option("--with", metavar="FILE", text=_WITH_TEXT)] = None,
     **texts: Any,
 ) -> None:
-    """Compare models with published figures, and say which of them they meet."""
+    """Compare models with published figures, and show which ones they meet."""
     from clubface.validation.catalogue import check_named
     from clubface.validation.off_centre import causes as causes_table
     from clubface.validation.own_monitor import own_monitor

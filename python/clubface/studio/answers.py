@@ -15,7 +15,7 @@ from clubface.support.extras import missing_extra
 
 __all__ = ["answer", "describe_mistake", "document", "mistake", "refusal"]
 
-OURS = "this is a mistake of clubface, not yours; please report it with what the terminal shows"
+OURS = "this is a bug in clubface, not your mistake; please report it with what the terminal shows"
 
 
 def document(content: Any, status: int = 200, headers: Mapping[str, str] | None = None) -> Response:

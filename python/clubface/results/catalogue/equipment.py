@@ -5,12 +5,12 @@ SENTENCES = {
     "cg-behind-face": "The CG lies {cg_x} behind the face.",
     "cg-below-normal": "The CG lies {cg_y} below the normal through the face centre.",
     "cg-in-front-of-face": "The CG lies {cg_x} in front of the face.",
-    "club-conforms": "{file}: a club that can exist and keeps the limits of the rules above",
+    "club-conforms": "{file}: a club that can exist and conforms to the rules above",
     "club-does-not-conform": "{file}: a club that can exist, but does not conform to the rules: {broken:;}",
     "club-partly-judged": (
-        "{file}: a club that can exist; as far as it is known, it keeps the limits of the rules. Not known: {unknown:;}"
+        "{file}: a club that can exist; as far as is known, it conforms to the rules. Not known: {unknown:;}"
     ),
-    "club-possible": "{file}: a club that can exist; none of the limits of the rules applies to it",
+    "club-possible": "{file}: a club that can exist; none of the rules applies to it",
     "clubs-listed": (
         "MOI is the moment of inertia about the vertical axis; the normal is that through the face centre. A "
         "parametric club is plausible, not measured; clubface clubs NAME shows the source or the assumption of every "
@@ -19,10 +19,10 @@ SENTENCES = {
     "coefficients-are-terms": (
         "{coefficients} parameters are the coefficients of {functions} functions; --json lists each with its bounds."
     ),
-    "default-model": "{model} computes where no model is named.",
+    "default-model": "{model} is the default model.",
     "default-set": "[{place}] {set}, for {club}, used by default: {source}. {reference}",
     "further-model": '{model}: {summary} "all" does not include it.',
-    "mesh-dimensions": "Volume and dimensions are those of the whole mesh, with a hosel if it has one.",
+    "mesh-dimensions": "Volume and dimensions are for the whole mesh, including a hosel if it has one.",
     "model-in-full": ("clubface models NAME lists parameters, units, bounds, published values, sources and caveats."),
     "model-laws": "Laws it obeys: {laws}",
     "model-paper": "{short}: {title}",
@@ -33,9 +33,9 @@ SENTENCES = {
     "published-set": "[{place}] {set}, for {club}: {source}. {reference}",
     "rebound-of-model": (
         "The heads are flat, rigid, struck through the CG and cannot turn; angles are compared at {speed:.0f} m/s, "
-        "with the parameters of an iron where a model has published ones. Along the face, 0 means that the ball leaves "
-        "rolling, -1 that it slides without friction, and more than 0 that the ball springs back sideways. The lever "
-        "is that of friction about the ball's centre, over its radius."
+        "with iron parameters if a model has published ones. Along the face, 0 means that the ball leaves rolling, -1 "
+        "that it slides without friction, and more than 0 that the ball springs back sideways. The lever is the lever "
+        "arm of friction about the ball's centre, divided by its radius."
     ),
     "set-caveat": "[{place}] {caveat}",
     "set-range": "[{place}] from shots with {range}",
@@ -45,15 +45,15 @@ SENTENCES = {
     "source-of-values": "[{place}] {source}",
     "time-of-cor": (
         "The characteristic time is computed from a restitution of {restitution}. On simulated heads the two tests "
-        "disagree by up to {error_restitution} of restitution; if you have both figures, give the time, which came "
-        "nearer to the mesh of the one head compared."
+        "disagree by up to {error_restitution} in restitution; if you have both figures, give the time, which was "
+        "closer to the mesh of the one head compared."
     ),
     "unmeasured-face": (
-        'Nothing says how the face gives; characteristic_time = "250 us" in the file states what the pendulum measured.'
+        'The file does not say how the face gives; add the pendulum result as in characteristic_time = "250 us".'
     ),
     "unmeasured-mesh": (
-        "Nothing says how the face gives: clubface fem head {file} --measure simulates it and prints the line with the "
-        "characteristic time that states it in the file."
+        "The file does not say how the face gives: clubface fem head {file} --measure simulates it and prints the line "
+        "with the characteristic time to add."
     ),
     "value-caveat": "[{place}] {parameter}: {caveat}",
 }

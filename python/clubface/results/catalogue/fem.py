@@ -19,7 +19,7 @@ SENTENCES = {
         "Accuracy: on the reference case a mesh of {elements} elements changes ball speed by {speed_over_meshes:.1%} "
         "and spin by {spin_over_meshes:.1%}, and other programs differ by up to {speed_over_solvers:.1%} and "
         "{spin_over_solvers:.1%} (clubface fem reference --meshes 3). The energy balance "
-        "checks the time steps alone. Errors of the material constants come on top."
+        "checks only the time steps. Errors of the material constants come on top."
     ),
     "face-conforms": "The face conforms: " + _LIMIT,
     "face-conforms-within-tolerance": "The face conforms within the tolerance: " + _LIMIT,
@@ -33,19 +33,19 @@ SENTENCES = {
         '{characteristic_time:us 0}"'
     ),
     "face-test-error": (
-        "The test is simulated and is no test of conformity: other meshes of one driver change restitution and time by "
-        "up to {mesh_restitution} and {mesh_characteristic_time:us 0}, and the mass of the pendulum is assumed."
+        "This is a simulation, not a conformity test: other meshes of one driver change restitution and time by up to "
+        "{mesh_restitution} and {mesh_characteristic_time:us 0}, and the mass of the pendulum is assumed."
     ),
     "head-mass": "The head weighs {mass}, with a moment of inertia about the vertical of {iyy}.",
     "inertia-limit": "The rules of golf allow a driver {limit_iyy:0}.",
     "largest-stress": (
-        "The largest stress, {stress:0}, is that of the {part}. From the face centre it lies "
+        "The largest stress, {stress:0}, is in the {part}. From the face centre it lies "
         "{high:above/below/at the same height 1}, {toe:towards the toe/towards the heel/neither to toe nor heel 1} and "
         "{forward:towards the target/towards the back/as far forward 1}."
     ),
     "launch-of-impact": (
-        "The ball {ball} leaves {head} at {ball_speed}, {launch} upwards and {azimuth:sides} of the target, and spins "
-        "backwards with {backspin}."
+        "The ball {ball} leaves {head} at {ball_speed}, {launch} upwards and {azimuth:sides} of the target, with "
+        "{backspin} of backspin."
     ),
     "mesh-dependence": "Meshes of {counts:and} elements change it by {spread:.0%} at most.",
     "mesh-spread": (
@@ -53,23 +53,24 @@ SENTENCES = {
         "{spin_over_meshes:.1%} and the peak force by {force_over_meshes:.1%}."
     ),
     "mesh-dependence-unknown": (
-        "How far the stress depends on the mesh is not known. To bound it, mesh the same surfaces with elements half "
-        "as large, name that file in the TOML, and repeat the impact: the difference is about the error of this mesh."
+        "How much the stress depends on the mesh is not known. To find out, mesh the same surfaces with elements of "
+        "half the size, name that file in the TOML, and repeat the impact: the difference is about the error of this "
+        "mesh."
     ),
     "no-launch": "There is no launch: {reason}.",
-    "no-part-yields": "Struck at {blow}, no part yields. Closest to it is the {part}, with a margin of {margin}.",
+    "no-part-yields": "Struck at {blow}, no part yields. The {part} is closest to yielding, with a margin of {margin}.",
     "no-yield-stress": "No yield stress is given for: {parts}.",
     "one-layer-of-hexahedra": (
-        "The mesh has one layer of hexahedra, which does not see how the wall bends: the stress is too small. Mesh it "
-        "with two layers or more."
+        "The mesh has one layer of hexahedra, which cannot resolve the bending of the wall: the stress is too small. "
+        "Mesh it with two layers or more."
     ),
     "part-yields": (
         "Struck at {blow}, the {part} is too weak: the stress there reaches {stress:0}, and its metal yields at "
-        "{yield_stress:0}. The part bears about {bearable_speed:0} there, if its stress grows with the speed; for "
-        "more, make it thicker or of a metal that yields at more."
+        "{yield_stress:0}. The part bears about {bearable_speed:0} there, if its stress is proportional to the "
+        "speed; for more, make it thicker or use a stronger metal."
     ),
     "rebound": "The ball {ball} leaves {head} and spins with {backspin}.",
     "strength-not-counted": (
-        "Notches, welds and fatigue over many impacts are not counted: a real head needs more than this."
+        "Notches, welds and fatigue over many impacts are not included: a real head needs more margin."
     ),
 }

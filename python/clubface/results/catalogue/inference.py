@@ -6,40 +6,40 @@ SENTENCES = {
         "(--delivery-noise changes them)."
     ),
     "contradicts-prior": (
-        "What was measured contradicts the prior ({prior}), which by {model} expects {expected}; check units and club, "
-        "or give a prior that suits the golfer."
+        "The measured values contradict the prior ({prior}), which with {model} expects {expected}; check units and "
+        "club, or give a prior that suits the golfer."
     ),
     "contradicts-prior-together": (
-        "What was measured contradicts the prior ({prior}), which by {model} hardly ever makes these values together; "
-        "check units and club, or give a prior that suits the golfer."
+        "The measured values contradict the prior ({prior}), which with {model} hardly ever gives these values "
+        "together; check units and club, or give a prior that suits the golfer."
     ),
     "evaluation-best": "{model} has the smallest mean absolute error in {names:and}.",
     "evaluation-errors": (
-        "Errors are model less measured; percentages are of the mean magnitude of the measured values. STD is the "
+        "Errors are model minus measured; percentages refer to the mean magnitude of the measured values. STD is the "
         "standard deviation of the error about its mean (n - 1)."
     ),
     "evaluation-intervals": (
         "Intervals hold 95% of {resamples} bootstrap resamples of the {drawn} (seed {seed}). All models are compared "
-        "on the same resamples; p is two-sided, after Holm's correction for the number of rivals, and differences over "
-        "fewer than {least} {unit} are never significant between {models:n model}. The best model was chosen on these "
-        "same shots, and parameters identified on them favour the model with more of them: only shots held out can "
-        "tell."
+        "on the same resamples; p is two-sided, after Holm's correction for the number of rivals, and with fewer than "
+        "{least} {unit} differences between {models:n model} are never significant. The best model was chosen on these "
+        "same shots, and parameters identified from them favour the model with more of them: only held-out shots can "
+        "decide."
     ),
     "evaluation-no-intervals": (
-        "One shot, or shots all alike, give no intervals and cannot show which model is better: that takes shots with "
-        "different deliveries."
+        "A single shot, or identical shots, give no intervals and cannot show which model is better: that takes shots "
+        "with different deliveries."
     ),
     "evaluation-published": (
         "Published figures are those of the paper's own shots and golfers, with parameters identified on those same "
-        "shots; they are given for scale. Those of standard are from the thesis on which the paper is based. Printed "
-        "times are totals of ten shots. The paper does not say whether a mean of azimuth and sidespin, or an STD, is "
-        "of magnitudes."
+        "shots; they are given for scale. The figures for standard are from the thesis on which the paper is based. "
+        "Printed times are totals for ten shots. The paper does not say whether its means of azimuth and sidespin, and "
+        "its STDs, use magnitudes."
     ),
     "far-from-prior": "A delivery far from the prior: {quantities}.",
     "fit-at-bound": "{parameter} meets its {side} bound, {bound}: the best value may lie beyond it.",
     "fit-contact-time": "Contact lasts {contact_time:us 0} on average; measured contacts last 400 to 500 us.",
     "fit-contradicted": (
-        "Outside their own interval: {names}. Fits to parts of the shots, or the likelihood, lead elsewhere, so "
+        "Outside their own interval: {names}. Fits to subsets of the shots, or the likelihood, give other values, so "
         "neither value nor interval can be trusted."
     ),
     "fit-copied-shots": "Only {different} of {shots} shots are different: if the others are copies, remove them.",
@@ -61,9 +61,9 @@ SENTENCES = {
         "All {shots} shots have the same delivery: how the launch depends on the delivery is not tested."
     ),
     "fit-weak": "Weakly identified: {direction}.",
-    "fit-worse": "The fit makes some quantities worse than {before}, with which it began: {names}.",
-    "launch-says-nothing": "The launch says nothing about {names:and}: there the sample repeats the prior.",
-    "model-taken-as-exact": "{model} with {parameters} is taken as exact; add its errors to the noise.",
+    "fit-worse": "The fit makes some quantities worse than {before}, where it started: {names}.",
+    "launch-says-nothing": "The launch says nothing about {names:and}: for these the sample repeats the prior.",
+    "model-taken-as-exact": "{model} with {parameters} is treated as exact; add its errors to the noise.",
     "not-in-the-cost": "Not measured, so not in the cost: {names}.",
     "not-reproduced": "Not reproduced by these deliveries: {quantities}.",
     "one-draw-dominates": "A single draw has {weight:.0%} of the weight.",
@@ -72,11 +72,11 @@ SENTENCES = {
     "rows-not-used": "{rows:n row} not used; the first is {first}",
     "rows-with-remarks": "{rows:n row} with a remark in the last column.",
     "sample-too-small": "Only {effective} draws are effective (of {draws}): the sample is too small to be trusted.",
-    "shot-says-nothing": "What was measured says nothing about {names:and}: there the sample repeats the prior.",
-    "shots-not-computed": "Left out for all models, since one cannot compute them: {shots:n shot} ({first})",
-    "taken-as-exact": "Measured, and taken as exact because the prior leaves it out: {quantities}.",
+    "shot-says-nothing": "The measured values say nothing about {names:and}: for these the sample repeats the prior.",
+    "shots-not-computed": "Left out for all models, since one of them cannot compute these: {shots:n shot} ({first})",
+    "taken-as-exact": "Measured, and treated as exact because the prior leaves it out: {quantities}.",
     "tied": (
-        "{first} and {second} are tied (correlation {correlation:+.2f}): {step} more {first} with {change} {direction} "
-        "{second} makes about the same launch."
+        "{first} and {second} are tied together (correlation {correlation:+.2f}): {step} more {first} with {change} "
+        "{direction} {second} gives about the same launch."
     ),
 }

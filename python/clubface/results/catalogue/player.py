@@ -3,13 +3,13 @@
 SENTENCES = {
     "player-all-alike": "No club stands out in these shots: gaps, direction and spread are even.",
     "player-buy-gap": (
-        "Between {longer} and {shorter} lie {gap_carry:0}. If your bag has no club for it, one that carries "
+        "There are {gap_carry:0} between {longer} and {shorter}. If your bag has no club for it, one that carries "
         "{carry:0} would fill the gap."
     ),
-    "player-buy-nothing": "The gaps of your bag ask for no other club.",
+    "player-buy-nothing": "The gaps in your bag call for no other club.",
     "player-buy-one-of-two": (
-        "{longer} and {shorter} carry nearly as far, {gap_carry:0} apart: one of them could make room for a club that "
-        "you lack."
+        "{longer} and {shorter} carry nearly the same distance, {gap_carry:0} apart: one of them could make room for a "
+        "club that you lack."
     ),
     "player-carry": "It carries {carry:0}; two of three shots lie between {low_carry:0} and {high_carry:0}.",
     "player-carry-alone": "It carries {carry:0}.",
@@ -50,17 +50,17 @@ SENTENCES = {
         "Strike {step_toe:0} closer to the toe: {effects:changes}, finishing "
         "{side:further right/further left/on the same line 0}."
     ),
-    "player-changes-alone": "Each of these alone, with all else as it is:",
+    "player-changes-alone": "Each of these alone, with everything else unchanged:",
     "player-closing": (
         "The face also closes while it meets the ball, as measured: that alone starts the ball "
         "{azimuth:further right/further left 1}, with sidespin of {sidespin:to the right/to the left 0}."
     ),
     "player-closing-usual": (
-        "The face also closes while it meets the ball, at the rate that is usual for golfers of your speed: that alone "
+        "The face also closes while it meets the ball, at the usual rate for golfers with your speed: that alone "
         "starts the ball {azimuth:further right/further left 1}, with sidespin of {sidespin:to the right/to the left "
         "0}."
     ),
-    "player-delivery-of-some": ("The delivery of the club was computed for {shots:n shot}, spread evenly over all."),
+    "player-delivery-of-some": ("The club delivery was computed for {shots:n shot}, spread evenly over all."),
     "player-face-and-path": (
         "As measured, your club face points {face:to the right/to the left/straight 1} at impact, and your club moves "
         "{path:to the right/to the left/straight 1}."
@@ -71,22 +71,23 @@ SENTENCES = {
     ),
     "player-face-and-path-estimated": (
         "Judging by the flight of the ball, your club face points {face:to the right/to the left/straight 1} at "
-        "impact, and your club moves {path:to the right/to the left/straight 1}. This is an estimate, which gives "
+        "impact, and your club moves {path:to the right/to the left/straight 1}. This is an estimate, to within "
         "{margins:and} either way (19 times out of 20)."
     ),
     "player-face-to-path": (
-        "The face looks {face:further right/further left 1} than the club moves, which by itself bends a ball struck "
+        "The face points {face:further right/further left 1} than the club moves, which by itself curves a ball struck "
         "in the middle to that side."
     ),
     "player-few-shots": "{shots:n shot} {shots:?is/are} few: {more} more could change every figure here.",
     "player-finding-gap-overlap": (
-        "{longer} and {shorter} carry nearly as far: {carry:0} and {shorter_carry:0}, a gap of {gap_carry:0}."
+        "{longer} and {shorter} carry nearly the same distance: {carry:0} and {shorter_carry:0}, a gap of "
+        "{gap_carry:0}."
     ),
     "player-finding-gap-wide": (
         "The widest gap is between {longer} and {shorter}: {gap_carry:0}, where {usual_carry:0} is usual in your bag."
     ),
     "player-finding-mishits": (
-        "{club}: {mishits:n mishit} in {shots:n shot} {mishits:?costs/cost} {lost_carry:0} a shot in the mean."
+        "{club}: {mishits:n mishit} in {shots:n shot} {mishits:?costs/cost} {lost_carry:0} per shot on average."
     ),
     "player-finding-side": (
         "{club} finishes {side:to the right/to the left 0} of the line, between {low_side:sides 0} and "
@@ -97,37 +98,38 @@ SENTENCES = {
         "{high_side:sides 0}."
     ),
     "player-finding-carry-spread": (
-        "{club} differs most in carry: two of three shots lie between {low_carry:0} and {high_carry:0}."
+        "{club} varies most in carry: two of three shots lie between {low_carry:0} and {high_carry:0}."
     ),
     "player-finding-strike-high": "{club} meets the ball {high:high/low 0} on the face.",
     "player-finding-strike-toe": "{club} meets the ball {toe:towards the toe/towards the heel 0}.",
     "player-heads-not-judged": (
-        "No other head, shaft or ball was tried, and total distance and strokes may ask for another club than carry "
-        "does. `clubface golfer estimate` makes a golfer of these shots; `clubface best-loft --golfer` compares lofts "
-        "for this golfer, and `clubface optimise` heads, balls and settings, by carry, total distance and strokes."
+        "No other head, shaft or ball was tried, and total distance and strokes may favour another club than carry "
+        "does. `clubface golfer estimate` makes a golfer from these shots; for this golfer `clubface best-loft "
+        "--golfer` compares lofts, and `clubface optimise` heads, balls and settings, by carry, total distance and "
+        "strokes."
     ),
     "player-loft-change": (
         "Judged by carry with this head, another loft of {club} is worth a try: with "
         "{change_loft:more/less 1} it would carry {gain_carry:1} farther."
     ),
     "player-loft-keep": (
-        "Judged by carry with this head, another loft of {club} is not worth its price: the "
-        "best, {change_loft:more/less 1}, would carry {gain_carry:1} farther, less than the {worth_carry:0} that are "
-        "worth a change."
+        "Judged by carry with this head, another loft of {club} is not worth a change: the best, "
+        "{change_loft:more/less 1}, would carry {gain_carry:1} farther, less than the {worth_carry:0} that make a "
+        "change worthwhile."
     ),
     "player-loft-other": (
-        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, without a price in what else counts."
+        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, at no cost in anything else."
     ),
     "player-loft-other-costs": (
-        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, at the price of {losses:and}."
+        "By {label} alone, {change_loft:more/less 1} would be better by {gain}, at the cost of {losses:and}."
     ),
     "player-lofts-not-judged": (
-        "With {players:n player} in the file the lofts of their drivers are not judged: give the shots of one player, "
-        "or use `clubface best-loft --golfer`."
+        "With {players:n player} in the file their driver lofts are not judged: give one player's shots, or use "
+        "`clubface best-loft --golfer`."
     ),
     "player-loft-best": ("Judged by carry with this head, the loft of {club} is the best for your shots."),
     "player-inconsistent-rows": (
-        "The figures in these lines of the file are inconsistent, so that one of them may be wrong: {rows:10}."
+        "The figures in these lines of the file are inconsistent, so one of them may be wrong: {rows:10}."
     ),
     "player-impossible-shots": (
         "{shots:n shot}, as measured, cannot come from this club, and {shots:?is/are} left out of all estimates."
@@ -136,17 +138,17 @@ SENTENCES = {
         "The shot in {place} {row} is a mishit and is not counted: {figures:and}. Your medians are {usual:and}."
     ),
     "player-mishits-left-out": (
-        "{mishits:n mishit} {mishits:?is/are} left out of all figures and named in the section of the club."
+        "{mishits:n mishit} {mishits:?is/are} left out of all figures and listed in the club's section."
     ),
     "player-model-standard": (
-        "What a change would do, and what was not measured of the club, come from a model of impact with a standard "
+        "The effects of changes, and the club data that was not measured, come from an impact model with a standard "
         "club and average golfers, not from your own club: trust the direction and the rough size, not the last "
         "digit."
     ),
     "player-more-shots": "With {more} more shots we would know the medians about twice as well.",
-    "player-no-carry": "The file has neither carry nor the whole launch, so that the report gives no distances.",
+    "player-no-carry": "The file has neither carry nor the complete launch, so the report gives no distances.",
     "player-no-model": (
-        "We have no model of {club}, so that the report gives face, path and strike only as measured, and no what-if."
+        "We have no model of {club}, so the report gives face, path and strike only as measured, and no what-if."
     ),
     "player-not-measured": "Not measured, and so not judged: {quantities:and}.",
     "player-pictures-of-some": (
@@ -154,33 +156,33 @@ SENTENCES = {
         "(--where)."
     ),
     "player-practise-carry": (
-        "{club}: the {quantity}. It differs by {spread:values} (one standard deviation), which by itself "
+        "{club}: the {quantity}. It varies by {spread:values} (one standard deviation), which by itself "
         "would spread the carry by {part_carry:0}; everything together spreads it by {spread_carry:0}."
     ),
     "player-practise-mishits": (
-        "{club}: the strike. {mishits:n mishit} in {shots:n shot} {mishits:?costs/cost} {lost_carry:0} a shot in the "
-        "mean."
+        "{club}: the strike. {mishits:n mishit} in {shots:n shot} {mishits:?costs/cost} {lost_carry:0} per shot on "
+        "average."
     ),
-    "player-practise-nothing": "No single part of the swing stands out in what was measured.",
+    "player-practise-nothing": "No single part of the swing stands out in the measurements.",
     "player-practise-side": (
-        "{club}: the {quantity}. It differs by {spread:values} (one standard deviation), which by itself "
+        "{club}: the {quantity}. It varies by {spread:values} (one standard deviation), which by itself "
         "would spread the shots by {part_side:0} to either side; everything together spreads them by {spread_side:0}."
     ),
     "player-practise-start": (
-        "{club}: the start direction. It differs by {spread_azimuth:1} (one standard deviation), which by itself "
+        "{club}: the start direction. It varies by {spread_azimuth:1} (one standard deviation), which by itself "
         "would spread the shots by {part_side:0} to either side; everything together, curve included, spreads them by "
         "{spread_side:0}."
     ),
     "player-practise-unknown": (
-        "No club data was measured, so that this report cannot say which part of the swing causes the spread."
+        "No club data was measured, so this report cannot say which part of the swing causes the spread."
     ),
-    "player-report-by": "This report is about {shots:n shot} by {player} of {file}: {clubs}.",
-    "player-report-of": "This report is about {shots:n shot} of {file}: {clubs}.",
+    "player-report-by": "This report is about {shots:n shot} by {player} from {file}: {clubs}.",
+    "player-report-of": "This report is about {shots:n shot} from {file}: {clubs}.",
     "player-session-changed": "{change:changes}, give or take {margin:values}.",
-    "player-session-no-sure-change": "No sure change: {change:changes}, give or take {margin:values}.",
+    "player-session-no-sure-change": "No certain change: {change:changes}, give or take {margin:values}.",
     "player-sessions-compared": "From {first} to {last}, with margins that hold 19 times out of 20:",
-    "player-sessions-of-one-shot": "One shot a session is too few to tell a change from chance.",
-    "player-sessions-spread": "± is how much the shots of a session differ (one standard deviation, without mishits).",
+    "player-sessions-of-one-shot": "One shot per session is too few to tell a change from chance.",
+    "player-sessions-spread": "± is the spread of the shots in a session (one standard deviation, without mishits).",
     "player-side": (
         "It finishes {side:to the right/to the left/on the line 0}; two of three shots lie between "
         "{low_side:sides 0} and {high_side:sides 0}."
@@ -195,7 +197,7 @@ SENTENCES = {
         "{curve:curves # to the right/curves # to the left/flies straight 0}: a {shape}."
     ),
     "player-start-and-spin-axis": (
-        "Your ball starts {azimuth:to the right/to the left/straight 1} and bends to the side to which its spin axis "
+        "Your ball starts {azimuth:to the right/to the left/straight 1} and curves to the side to which its spin axis "
         "is tilted: {spin_axis:to the right/to the left/to neither 0}."
     ),
     "player-start-causes": (

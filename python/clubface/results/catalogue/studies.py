@@ -3,8 +3,8 @@
 SENTENCES = {
     "study-chunks-not-listed": "{left:n chunk} missing or damaged; {chunks} of them not listed",
     "study-complete": "the study is complete in {store}",
-    "study-left": "{chunks:n chunk} of the whole study left to other runs; parts in {store}",
-    "study-parts-mended": "{parts:n damaged part} computed again: {shown}",
+    "study-left": "{chunks:n chunk} of the whole study left for other runs; parts in {store}",
+    "study-parts-mended": "{parts:n damaged part} recomputed: {shown}",
     "study-processors": "computed on {processors}, which agree to rounding, not in the last digits",
     "study-range": "{quantity} ranges from {least_text} to {most_text}.",
     "study-store": "parts in {store}",
