@@ -59,8 +59,8 @@ TESTS = options.group("Tests", {
     "toe": (str | None, None, '"8 mm"', "With --measure or --impact-speed: how far towards the toe."),
     "high": (str | None, None, '"3 mm"', "With --measure or --impact-speed: how far above the face centre."),
     "ball": (str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; default modern."),
-    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: time step as a fraction of the stable one."),
-    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, to show how the stress depends on them."),
+    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: time step over the stable one."),
+    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, to compare the stress."),
 })  # fmt: skip
 OLD_TESTS = {"blow": "impact_speed"}
 

@@ -83,8 +83,8 @@ SENTENCES = {
         "expect."
     ),
     "high-strike-lowers-spin": (
-        "A higher strike lowers the spin, by {backspin:0} per mm, although it launches higher: the impact turns the head "
-        "back, and the face rolls the ball forward like a gear."
+        "A higher strike lowers the spin, by {backspin:0} per mm, although it launches higher: the impact turns the "
+        "head back, and the face rolls the ball forward like a gear."
     ),
     "hosel-energy": (
         "The ball gains {gained:.1f} J and {lost:.1f} J are lost; of this the shaft supplies {carried:.1f} J, the head "
@@ -129,8 +129,8 @@ SENTENCES = {
         "delivered with its shaft further forward, which moves its CG."
     ),
     "toe-strike-curves-back": (
-        "A strike towards the toe gives spin that curves the ball back, {sidespin:0} per mm: the impact turns the head "
-        "open, and the face rolls the ball the other way like a gear."
+        "A strike towards the toe gives spin that curves the ball back, {sidespin:0} per mm: the impact turns the "
+        "head open, and the face rolls the ball the other way like a gear."
     ),
     "variant-caveats": "{model} with {set}: {caveats:;}.",
 }
