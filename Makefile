@@ -98,7 +98,7 @@ test: build ## all tests; the last line is "N passed, N failed"
 
 # The tools of Python's tests arrive while those of Rust compile, whose errors the run of the tests counts.
 test-programs: build
-	-@cargo test --release --quiet $(RUST_TESTED) --no-run
+	-@cargo test --release $(RUST_TESTED) --no-run
 
 PYTHONS ?= $(PYTHON)
 PYTEST ?=
