@@ -93,7 +93,7 @@ demo: build ## the published tour averages by every model; tables and pictures i
 	$(BIN)/clubface tour --averages all --output out/
 
 test: build ## all tests; the last line is "N passed, N failed"
-	@$(MAKE) --no-print-directory --jobs 3 dev test-programs $(STUDIO_TESTED)
+	@$(MAKE) --no-print-directory --silent --jobs 3 dev test-programs $(STUDIO_TESTED)
 	@$(PYTHON) scripts/run_tests.py
 
 # The tools of Python's tests arrive while those of Rust compile, whose errors the run of the tests counts.
