@@ -29,10 +29,10 @@ def coarse_case() -> Case:
 
 
 DRIVE = coarse_case()
-LAUNCH = clubface.impact("driver", **SHOT)
+LAUNCH = clubface.impact("driver", SHOT)
 WORK: dict[str, tuple[int, Callable[[], object]]] = {
-    "shots by response": (2000, lambda: clubface.impact("driver", **SHOT)),
-    "shots by rings": (400, lambda: clubface.impact("driver", **SHOT, model="rings")),
+    "shots by response": (2000, lambda: clubface.impact("driver", SHOT)),
+    "shots by rings": (400, lambda: clubface.impact("driver", SHOT, model="rings")),
     "flights": (2000, lambda: clubface.fly(LAUNCH)),
     "finite elements": (10, lambda: DRIVE.run()),
 }

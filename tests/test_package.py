@@ -1,5 +1,6 @@
 """What ``import clubface`` costs and offers."""
 
+import ast
 import re
 import subprocess
 import sys
@@ -54,6 +55,16 @@ def test_no_module_hides_a_public_function_of_its_package():
 def test_public_names_are_listed():
     assert {"impact", "history", "sensitivity", "fly", "Club", "Ball", "ParameterSet"} <= set(dir(clubface))
     assert not hasattr(clubface, "nonsense")
+
+
+def test_type_checkers_see_every_public_name_where_it_is_defined():
+    tree = ast.parse(Path(clubface.__file__).read_text(encoding="utf-8"))
+    [block] = [each for each in tree.body if isinstance(each, ast.If) and ast.unparse(each.test) == "TYPE_CHECKING"]
+    seen = {
+        alias.asname: each.module.removeprefix("clubface").lstrip(".")
+        for each in block.body if isinstance(each, ast.ImportFrom) for alias in each.names
+    }  # fmt: skip
+    assert seen == {**clubface._HOME, **dict.fromkeys(clubface._MODULES, "")}
 
 
 @pytest.mark.parametrize(("old", "new"), clubface._MOVED.items())

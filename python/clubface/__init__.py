@@ -32,12 +32,56 @@ if TYPE_CHECKING:
         units as units,
         validation as validation,
     )
+    from clubface.design.best_loft import best_loft as best_loft
+    from clubface.design.comparison import Alternative as Alternative, Compared as Compared, compare as compare
+    from clubface.design.dispersion import Dispersion as Dispersion, dispersion as dispersion
+    from clubface.design.face_map import (
+        FaceMap as FaceMap,
+        FaceMapDifference as FaceMapDifference,
+        map_face as map_face,
+    )
+    from clubface.design.golfer import Golfer as Golfer, golfer as golfer, golfers as golfers
+    from clubface.design.golfer_estimate import estimate_golfer as estimate_golfer
+    from clubface.design.optimisation.fitting_run import fit as fit
+    from clubface.design.optimisation.run import optimise as optimise
+    from clubface.design.strokes import Hole as Hole
     from clubface.equipment.balls import Ball as Ball, ball as ball
     from clubface.equipment.clubs import Club as Club, club as club
     from clubface.equipment.models import Model as Model, Parameter as Parameter, models as models
     from clubface.equipment.parameters import ParameterSet as ParameterSet
     from clubface.equipment.shafts import Shaft as Shaft
     from clubface.errors import ClubfaceError as ClubfaceError
+    from clubface.inference.evaluation.evaluation import evaluate as evaluate
+    from clubface.inference.evaluation.result import Evaluation as Evaluation
+    from clubface.inference.identification.result import Identification as Identification
+    from clubface.inference.identification.run import identify as identify
+    from clubface.inference.posterior import Posterior as Posterior
+    from clubface.inference.prior import Prior as Prior
+    from clubface.inference.run import infer as infer
+    from clubface.shots.prediction import PredictReport as PredictReport, predict as predict
+    from clubface.shots.reading import read_shots as read_shots
+    from clubface.shots.recorded import RecordedShots as RecordedShots
+    from clubface.simulation.explanation import Explanation as Explanation, explain as explain
+    from clubface.simulation.flight import (
+        Air as Air,
+        Flight as Flight,
+        Trajectory as Trajectory,
+        fly as fly,
+        trajectory as trajectory,
+    )
+    from clubface.simulation.history import History as History, history as history
+    from clubface.simulation.hosel import HoselReaction as HoselReaction, hosel_reaction as hosel_reaction
+    from clubface.simulation.impact import impact as impact
+    from clubface.simulation.inputs import Delivery as Delivery
+    from clubface.simulation.launch import Comparison as Comparison, Launch as Launch
+    from clubface.simulation.launch_conditioned import (
+        ConditionedLaunch as ConditionedLaunch,
+        impact_at_launch as impact_at_launch,
+    )
+    from clubface.simulation.multibody import SteppedContact as SteppedContact, StruckBall as StruckBall
+    from clubface.simulation.own_law import register_law as register_law
+    from clubface.simulation.sensitivity import Sensitivity as Sensitivity, sensitivity as sensitivity
+    from clubface.simulation.two_bodies import Touch as Touch
 
 
 _HOME = {
@@ -53,7 +97,7 @@ _HOME = {
     "Dispersion": "design.dispersion",
     "FaceMap": "design.face_map",
     "FaceMapDifference": "design.face_map",
-    "Evaluation": "inference.evaluation.evaluation",
+    "Evaluation": "inference.evaluation.result",
     "Explanation": "simulation.explanation",
     "Flight": "simulation.flight",
     "Golfer": "design.golfer",

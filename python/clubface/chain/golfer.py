@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -122,14 +123,14 @@ class GolferBody:
     def three_segments(
         cls,
         *,
-        mass: Any = 80.0,
-        height: Any = 1.80,
-        lie: Any = "58 deg",
-        start: Any = ("-90 deg", "-55 deg", "-95 deg"),
-        onset: Any = (0.0, 0.05, 0.17),
-        rise_time: Any = (0.03, 0.03, 0.03),
-        maximum_torque: Any = (200.0, 130.0, 35.0),
-        maximum_speed: Any = (30.0, 30.0, 60.0),
+        mass: float | str = 80.0,
+        height: float | str = 1.80,
+        lie: float | str = "58 deg",
+        start: Sequence[float | str] = ("-90 deg", "-55 deg", "-95 deg"),
+        onset: tuple[float, ...] = (0.0, 0.05, 0.17),
+        rise_time: tuple[float, ...] = (0.03, 0.03, 0.03),
+        maximum_torque: tuple[float, ...] = (200.0, 130.0, 35.0),
+        maximum_speed: tuple[float, ...] = (30.0, 30.0, 60.0),
     ) -> GolferBody:
         """Return a golfer of torso, lead arm and club, who swings in an inclined plane.
 

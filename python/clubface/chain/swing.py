@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax import Array
 from jax.core import Tracer
+from jax.typing import ArrayLike
 
 import clubface.jax
 from clubface.chain.attachment import attached_inputs
@@ -27,7 +29,7 @@ from clubface.chain.mechanics import (
 )
 from clubface.chain.mjcf import mjcf
 from clubface.equipment.attachment import added_inputs
-from clubface.equipment.balls import ball as ball_named
+from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.shafts import Shaft, shaft as shaft_named
@@ -150,7 +152,7 @@ class Swing:
         shaft: str | os.PathLike[str] | Shaft = "graphite",
         golfer: GolferBody | None = None,
         *,
-        ball: Any = None,
+        ball: str | os.PathLike[str] | Ball | None = None,
         model: str = DEFAULT_MODEL,
         hands: float = 0.12,
         modes: int = 5,
@@ -182,7 +184,7 @@ class Swing:
         """Values that may be given: by joint, by station of the shaft, and of the ball."""
         return (*BY_JOINT, *BY_STATION, *PLACES)
 
-    def values(self, **given: Any) -> dict[str, Any]:
+    def values(self, **given: ArrayLike) -> dict[str, Array]:
         """Return all values of a swing: those given, and those of golfer and shaft."""
         check_names("value of a swing", given, self.names)
         values: dict[str, Any] = {name: getattr(self.golfer, name) for name in BY_JOINT}
@@ -194,11 +196,11 @@ class Swing:
                 raise InputError(name, Wording(f"of shape {np.shape(value)}"), f"of shape {shapes[name]}")
         return {name: jnp.asarray(value, float) for name, value in (values | given).items()}
 
-    def motion(self, **given: Any) -> Motion:
+    def motion(self, **given: ArrayLike) -> Motion:
         """Return the swing over time up to first touch; the values are those of :meth:`shot`."""
         return self._compiled_motion(self.values(**given))
 
-    def shot(self, **given: Any) -> Shot:
+    def shot(self, **given: ArrayLike) -> Shot:
         """Return the swing at first touch, the launch of the ball, and its flight.
 
         Parameters
@@ -245,15 +247,15 @@ class Swing:
             self.golfer, self.club, self.shaft, hands=self.hands, damping=self.mechanism.damping, links=links
         )  # fmt: skip
 
-    def torques(self, time: Any, angles: Any, speeds: Any, **given: Any) -> Any:
+    def torques(self, time: ArrayLike, angles: ArrayLike, speeds: ArrayLike, **given: ArrayLike) -> Array:
         """Return the torques of generators and stops [N m] at a time [s], angles [rad] and speeds [rad/s] of joints."""
         return self._compiled_torques(time, angles, speeds, self.values(**given) if given else self._defaults)
 
-    def head(self, coordinates: Any, rates: Any) -> HeadMotion:
+    def head(self, coordinates: ArrayLike, rates: ArrayLike) -> HeadMotion:
         """Return where the head is and how it moves at some coordinates and rates, as :class:`Shot` has them."""
         return head_motion(self.mechanism, coordinates, rates)
 
-    def energy(self, coordinates: Any, rates: Any, **given: Any) -> tuple[Any, Any]:
+    def energy(self, coordinates: ArrayLike, rates: ArrayLike, **given: ArrayLike) -> tuple[Array, Array]:
         """Return kinetic energy, and potential energy of gravity and shaft, above the reference pose at rest [J]."""
         stiffness = self._stiffness(self.values(**given))
         return kinetic_energy(self.mechanism, coordinates, rates), potential_energy(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -35,6 +35,9 @@ from clubface.simulation.shot_result import flight_views, shape_note
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_count, check_name, check_names, without_warnings
 from clubface.units import to_si
+
+if TYPE_CHECKING:
+    import pandas
 
 MOST = 24
 """Alternatives that are compared at a time."""
@@ -135,7 +138,7 @@ class Compared(Described):
         names = [text(key, [row[key] for row in rows]) for key in ("alternative", "part", "change")]
         return Table("figures", (*names, *(column(key, [row[key] for row in rows]) for key in QUANTITIES)))
 
-    def to_pandas(self, name: str | None = None) -> Any:
+    def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
         """Return :meth:`rows`, or a table of :meth:`to_result`; ``attrs`` has units and provenance."""
         frame = self.all_figures().to_pandas() if name is None else self.to_result().to_pandas(name)
         frame.attrs["provenance"] = {name: each.provenance for name, each in self.launches.items()}

@@ -29,7 +29,7 @@ from clubface.shots.tables.parquet import pyarrow_for
 from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
 from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly
 from clubface.simulation.impact import Parameters, Tally as RangeTally, impact
-from clubface.simulation.inputs import thread_count
+from clubface.simulation.inputs import DeliveryLike, thread_count
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
@@ -231,7 +231,7 @@ class ImpactSetup(NamedTuple):
 
     def strike(
         self,
-        deliveries: Any,
+        deliveries: DeliveryLike,
         on_error: Literal["raise", "nan"] = "nan",
         progress: Callable[[int], object] | None = None,
     ) -> tuple[Launch, Flight | None]:

@@ -261,7 +261,7 @@ def map_face(
     ball: str | os.PathLike[str] | Ball | None = None,
     accuracy: float | None = None,
     grid: tuple[int, int] | None = None,
-    points: tuple[Any, Any] | None = None,
+    points: tuple[ValueLike, ValueLike] | None = None,
     air: AirLike | None = None,
     wind: WindLike | None = None,
     ground: GroundLike | None = None,

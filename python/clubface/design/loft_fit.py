@@ -9,7 +9,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -148,7 +147,7 @@ def fit_loft(
     *,
     club: str | os.PathLike[str] | Club | None = None,
     objective: str = "carry",
-    worth: Mapping[str, Any] | None = None,
+    worth: Mapping[str, float | str] | None = None,
     hole: Hole | None = None,
     model: str = DEFAULT_MODEL,
     parameters: Parameters | None = None,
@@ -198,7 +197,7 @@ def fit_loft(
     study = DesignStudy(
         title=f"The loft for {player.title or player.name}", club=head, golfers=((player, 1.0),),
         objectives=(objective,), bounds={"loft": (least, most)}, conform=False, hole=hole, setting=setting,
-        shots=shots, seed=seed, starts=STARTS, worth=worth or {},
+        shots=shots, seed=seed, starts=STARTS, worth=worth or {},  # pyright: ignore[reportArgumentType]
     )  # fmt: skip
     if not player.spread.any():
         study = replace(study, shots=REPEATS)

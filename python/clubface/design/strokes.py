@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import published_data, units
 from clubface.design import core
@@ -76,11 +77,11 @@ class Hole:
         """
         return self.at_rest(ahead, right)[1]
 
-    def lies(self, ahead: Floats, right: Floats) -> Any:
+    def lies(self, ahead: Floats, right: Floats) -> NDArray[np.str_]:
         """Return the lie of balls at rest: "green", "fairway", "rough" or "recovery", shape (n,)."""
         return self.at_rest(ahead, right)[0]
 
-    def at_rest(self, ahead: Floats, right: Floats) -> tuple[Any, Floats]:
+    def at_rest(self, ahead: Floats, right: Floats) -> tuple[NDArray[np.str_], Floats]:
         """Return lie and strokes expected of balls at rest, as :meth:`lies` and :meth:`after`."""
         ahead, right = _places(ahead, right)
         tables = [as_lists(lie) for lie in AT_REST]

@@ -8,6 +8,7 @@ the pieces where the file does not give them; the materials of the pieces are no
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -235,7 +236,7 @@ BALL_PROPERTIES = quantities(Ball)
 """The numbers that describe a ball, by field."""
 
 
-def ball(name: Any = None) -> Ball:
+def ball(name: str | os.PathLike[str] | Ball | None = None) -> Ball:
     """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself.
 
     Without a name it is ``DEFAULT_BALL``. A ball of finite elements made in code is taken as the rigid ball that it is

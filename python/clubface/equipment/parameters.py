@@ -26,7 +26,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.backends import MODULES, OWN
@@ -38,6 +38,9 @@ from clubface.schema.tables import check_values, decode, encode, file_key
 from clubface.schema.values import FLAG, TEXT, Choice, Interval, Items, PhysicalValue, Record, Simple, Tables, Value
 from clubface.support.checks import Frozen, check_choice
 from clubface.support.files import DATA
+
+if TYPE_CHECKING:
+    from clubface.support.arrays import NumberOrArray, ValueLike
 
 
 def _dimension(parameter: Parameter) -> str:
@@ -275,11 +278,11 @@ class ParameterSet:
             own = own + (own == 0.0) * self.characteristic_time
         return {**club, "characteristic_time": own, "included_time": self.characteristic_time}
 
-    def columns(self) -> list[Any]:
+    def columns(self) -> list[NumberOrArray]:
         """Return the values in the order of the registry, as the core takes them."""
         return list(self.values.values())
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: ValueLike) -> Self:
         """Return the set with values changed, each text with a unit, an SI number or an array: ``friction="0.4"``."""
         declared: Model = model(self.model)
         new = {key: parsed(value, declared.parameter(key)) for key, value in changes.items()}

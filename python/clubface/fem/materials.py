@@ -22,6 +22,7 @@ from clubface import units
 from clubface.errors import ImplausibleWarning, InputError, Wording
 from clubface.fem import core
 from clubface.schema import PhysicalValue, check_values, file_key
+from clubface.support.arrays import Floats
 from clubface.support.checks import Frozen, check_choice, check_count, check_names, check_text, warn_once
 from clubface.support.functions import function_address
 
@@ -71,7 +72,7 @@ class Energy:
             raise InputError("energy", text, 'an expression in quotes, as in "c10*(I1-3) + c20*(I1-3)^2"')
         return _read(text)
 
-    def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
+    def given(self, constants: Mapping[str, float | str]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
         check_names(f"constant of the energy {self.text!r}", constants, self.constants)
         missing = [name for name in self.constants if name not in constants]
@@ -79,7 +80,7 @@ class Energy:
             raise InputError("constants", dict(constants), f"give {', '.join(missing)} as well")
         return {name: self.constant_value(name, constants[name]) for name in self.constants}
 
-    def constant_value(self, name: str, given: Any) -> float:
+    def constant_value(self, name: str, given: float | str) -> float:
         """Return a constant [SI], checked: a stress, or a number."""
         dimension = self.dimensions[name]
         if dimension is None:
@@ -133,7 +134,7 @@ class Energy:
                 ImplausibleWarning,
             )
 
-    def values(self, constants: Mapping[str, float], invariants: ArrayLike) -> NDArray[Any]:
+    def values(self, constants: Mapping[str, float], invariants: ArrayLike) -> Floats:
         """Return W [J/m3], dW/dI1 and dW/dI2 [Pa] at rows of (I1, I2), a row each."""
         at = np.asarray(invariants, dtype=float).reshape(-1, 2)
         rows = core.fem_energy_values(self.text, [constants[name] for name in self.constants], at.tolist())
@@ -191,7 +192,7 @@ class Law(NamedTuple):
     summary: str
     states: int = 0
 
-    def given(self, constants: Mapping[str, Any]) -> dict[str, float]:
+    def given(self, constants: Mapping[str, float | str]) -> dict[str, float]:
         """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
         check_names(f"constant of {self.name}", constants, self.constants)
         names = list(self.constants)
@@ -255,7 +256,7 @@ _registering = threading.RLock()
 
 
 def register_law(
-    name: str, function: Any, *, constants: Mapping[str, Any] | None = None, states: int = 0, summary: str = ""
+    name: str, function: Any, *, constants: Mapping[str, str | float] | None = None, states: int = 0, summary: str = ""
 ) -> Law:
     """Make a function of C a law that materials know by ``name``, in code and in files of balls.
 
@@ -451,7 +452,7 @@ class Material:
         cls,
         youngs: float | str,
         poisson: float | str,
-        density: Any = None,
+        density: float | str | None = None,
         maxwell: Sequence[Maxwell] = (),
         volumetric: str | None = None,
     ) -> Material:
@@ -465,7 +466,8 @@ class Material:
         shear = modulus / (2.0 * (1.0 + ratio))
         if not SHEAR[0] <= shear <= SHEAR[1]:
             raise InputError("youngs", units.show(modulus, "MPa"), _shear_allowed(shear))
-        return cls(law="linear", constants={"shear": shear}, poisson=ratio, volumetric=volumetric, density=density,
+        return cls(law="linear", constants={"shear": shear}, poisson=ratio, volumetric=volumetric,
+                   density=None if density is None else units.parse(density, "density", name="density"),
                    maxwell=tuple(maxwell))  # fmt: skip
 
 

@@ -22,6 +22,7 @@ from clubface.fem.result import Impact
 from clubface.fem.run import throw
 from clubface.fem.settings import METHODS, Settings
 from clubface.schema import Document
+from clubface.support.arrays import Floats
 from clubface.support.files import DATA
 from clubface.support.renamed import renamed_arguments
 
@@ -62,7 +63,7 @@ def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progre
     return runs
 
 
-def section_spin(impact: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
+def section_spin(impact: Impact) -> tuple[Floats, Floats]:
     """Return times [s] and the spin of Roh and Lee (section 2.3): that of the nodes of one section [rad/s].
 
     The section holds the mass centre and the directions along the normal and up the face. Its spin is the rotation

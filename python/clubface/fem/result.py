@@ -63,12 +63,12 @@ class ElementFields:
     transverse shear. The numbers have single precision.
     """
 
-    stress: NDArray[Any]
-    strain: NDArray[Any]
-    plastic_strain: NDArray[Any]
+    stress: Floats
+    strain: Floats
+    plastic_strain: Floats
 
     @classmethod
-    def from_core(cls, arrays: Sequence[NDArray[Any]], frames: int, elements: int, *, shells: bool) -> ElementFields:
+    def from_core(cls, arrays: Sequence[Floats], frames: int, elements: int, *, shells: bool) -> ElementFields:
         """Return the fields of a body from the core's stress, strain and plastic strain, both sides of elements."""
         shape = (frames, elements, 2, len(COMPONENTS))
         stress, strain = (each.reshape(shape) if shells else each.reshape(shape)[:, :, 0] for each in arrays[:2])
@@ -338,7 +338,7 @@ class Impact(Described):
         along = self.motion["velocity"] + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
-    def world_positions(self, shapes: NDArray[Any] | None = None) -> Floats:
+    def world_positions(self, shapes: Floats | None = None) -> Floats:
         """Return the nodes of deformed shapes, by default of the ball, in world axes [m], shape (shapes, nodes, 3).
 
         The origin is the clubhead's CG at first touch, or the point of a plane where the ball first touches it. For a

@@ -26,7 +26,7 @@ from clubface.shots.reading import read
 from clubface.shots.recorded import RecordedShots, RejectedRow, assume_values
 from clubface.shots.reference_points import refer
 from clubface.simulation.inputs import OF_CLUB
-from clubface.support.arrays import ValueLike
+from clubface.support.arrays import Selection, ValueLike
 from clubface.support.checks import check_choice
 
 REFUSE, NOTE = MISMATCH = ("refuse", "note")
@@ -86,7 +86,7 @@ class ReadyShots(RecordedShots):
     places: NDArray[np.int64] = field(default_factory=lambda: np.arange(0))
     loft_origins: tuple[LoftOrigin, ...] = ()
 
-    def select(self, chosen: Any) -> Self:
+    def select(self, chosen: Selection) -> Self:
         """Return some of the shots, as :meth:`RecordedShots.select` does."""
         return replace(super().select(chosen), places=np.atleast_1d(self.places[chosen]))
 
@@ -238,7 +238,7 @@ class MeasuredShots:
     def __len__(self) -> int:
         return len(self.rows)
 
-    def select(self, chosen: NDArray[Any]) -> Self:
+    def select(self, chosen: Selection) -> Self:
         """Return some of the shots, by a mask or indices."""
         return replace(
             self,

@@ -42,6 +42,7 @@ from clubface.shots.messages import (
 )  # fmt: skip
 from clubface.simulation.launch import Launch
 from clubface.simulation.spin import BACK, SIDE
+from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_choice
 from clubface.support.sockets import CHUNK, LOOPBACK, Connection, listen_on
 
@@ -190,8 +191,8 @@ def _flag(options: Mapping[str, Any], name: str) -> bool | None:
 
 
 def to_json(
-    launch: Launch | Mapping[str, Any],
-    delivery: Mapping[str, Any] | None = None,
+    launch: Launch | Mapping[str, ValueLike],
+    delivery: Mapping[str, ValueLike] | None = None,
     *,
     shot_number: int,
     device: str = "clubface",
@@ -522,7 +523,7 @@ class Sender:
         """Close the connection."""
         self._connection.close()
 
-    def send(self, launch: Any, delivery: Mapping[str, Any] | None = None) -> Reply:
+    def send(self, launch: Launch | Mapping[str, ValueLike], delivery: Mapping[str, ValueLike] | None = None) -> Reply:
         """Send a shot, as :func:`to_json` takes it, with the next shot number, and return the answer."""
         message = to_json(launch, delivery, shot_number=self._number + 1, device=self._device)
         self._number += 1

@@ -31,7 +31,7 @@ from clubface.shots.tables.writer import write_columns
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import inputs
 from clubface.simulation.spin import SPINS, complete, notes_of
-from clubface.support.arrays import Floats, ValueLike
+from clubface.support.arrays import Floats, Selection, ValueLike
 from clubface.support.checks import check_choice, check_names
 from clubface.support.files import short_names
 from clubface.units import SI_UNITS, from_si, is_missing, parse_values
@@ -178,7 +178,7 @@ class RecordedShots(Presentable):
         object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
         return noted
 
-    def select(self, chosen: Any) -> Self:
+    def select(self, chosen: Selection) -> Self:
         """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""
         try:
             index = np.arange(len(self))[chosen]
@@ -194,7 +194,7 @@ class RecordedShots(Presentable):
             **{name: None if (texts := getattr(self, name)) is None else texts[index] for name in TEXTS},
         )
 
-    def groups(self) -> NDArray[Any] | None:
+    def groups(self) -> NDArray[np.str_] | None:
         """Return a label for each shot that says which belong together, those of a player; None if there is one player.
 
         A shot whose player is not named belongs to none.
@@ -263,9 +263,9 @@ class RecordedShots(Presentable):
         """Return the heading and the unit that each quantity has in a table of the shots."""
         return {name: heading_of(name, si_unit) for name, si_unit in self.units().items()}
 
-    def columns(self) -> dict[str, Any]:
+    def columns(self) -> dict[str, list[str] | Floats]:
         """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
-        columns: dict[str, Any] = {}
+        columns: dict[str, list[str] | Floats] = {}
         for name, heading in TEXTS.items():
             if (texts := getattr(self, name)) is not None:
                 columns[heading] = [str(each) for each in texts]

@@ -41,7 +41,7 @@ from clubface.simulation.results import (
     translate_core_error,
 )
 from clubface.simulation.shot_shape import shot_shape
-from clubface.support.arrays import ValueLike
+from clubface.support.arrays import Floats, NumberOrArray, ValueLike
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
@@ -128,7 +128,7 @@ class Air:
             text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
             raise InputError("altitude", units.show(self.altitude, "m"), text)
 
-    def values(self) -> dict[str, Any]:
+    def values(self) -> dict[str, NumberOrArray]:
         """Return the inputs of a flight, SI, by name."""
         return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
 
@@ -311,24 +311,24 @@ class Flight(Batch):
 
     _kind = "flight"
 
-    carry: Any
-    side: Any
-    apex: Any
-    landing_angle: Any
-    flight_time: Any
-    landing_speed: Any
-    landing_spin: Any
-    total: Any
-    total_side: Any
-    outside_fit: Any
-    curve: Any
+    carry: NumberOrArray
+    side: NumberOrArray
+    apex: NumberOrArray
+    landing_angle: NumberOrArray
+    flight_time: NumberOrArray
+    landing_speed: NumberOrArray
+    landing_spin: NumberOrArray
+    total: NumberOrArray
+    total_side: NumberOrArray
+    outside_fit: NumberOrArray
+    curve: NumberOrArray
 
     def __init__(
         self,
-        values: NDArray[Any],
-        columns: Mapping[str, Any],
+        values: Floats,
+        columns: Mapping[str, NumberOrArray],
         shape: tuple[int, ...],
-        varied: Mapping[str, NDArray[Any]],
+        varied: Mapping[str, Floats],
         launch: Launch | None,
         problems: list[tuple[int, str, str]],
     ) -> None:
@@ -345,7 +345,7 @@ class Flight(Batch):
         return flight_outputs()
 
     @property
-    def start(self) -> Any:
+    def start(self) -> NumberOrArray:
         """Horizontal direction in which the ball starts [rad], right of the target is positive."""
         return _of_shape(np.arctan2(self._columns["velocity_z"], self._columns["velocity_x"]), self.shape)
 
@@ -381,7 +381,7 @@ class Flight(Batch):
         return result
 
     @property
-    def inputs(self) -> Mapping[str, Any]:
+    def inputs(self) -> Mapping[str, NumberOrArray]:
         """What it was computed from, by name [SI]; an array is flat."""
         return self._columns
 
@@ -528,9 +528,7 @@ class Trajectory(Series):
         "spin": Variable("spin", "rad/s", "angular velocity"),
     }
 
-    def __init__(
-        self, arrays: Mapping[str, NDArray[Any]], inputs: Mapping[str, float], launch: Launch | None = None
-    ) -> None:
+    def __init__(self, arrays: Mapping[str, Floats], inputs: Mapping[str, float], launch: Launch | None = None) -> None:
         self._arrays = arrays
         self.time, self.position, self.velocity, self.spin = (arrays[name] for name in self.quantities)
         self.inputs = inputs

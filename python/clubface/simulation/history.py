@@ -6,8 +6,6 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from numpy.typing import NDArray
-
 from clubface import units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
@@ -18,7 +16,7 @@ from clubface.simulation.impact import Parameters, backend_of, warn_if_outside
 from clubface.simulation.inputs import DeliveryLike, HandLike, as_values, prepare, tolerance
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Series, Variable, in_unit
-from clubface.support.arrays import ValueLike
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice
 
 _STEPS = {
@@ -91,38 +89,38 @@ class History(Series):
         The launch it ends with.
     """
 
-    time: Any
-    normal_force: Any
-    force_y: Any
-    force_z: Any
-    penetration: Any
-    sliding_y: Any
-    sliding_z: Any
-    contact_area: Any
-    face_depth: Any
-    kinetic_energy: Any
-    face_energy: Any
-    layer_energy: Any
-    normal_work: Any
-    friction_work: Any
-    layer_work: Any
-    ball_position: Any
-    ball_velocity: Any
-    ball_spin: Any
-    cover_spin: Any
-    core_spin: Any
-    club_position: Any
-    club_velocity: Any
-    club_spin: Any
-    club_attitude: Any
+    time: Floats
+    normal_force: Floats
+    force_y: Floats
+    force_z: Floats
+    penetration: Floats
+    sliding_y: Floats
+    sliding_z: Floats
+    contact_area: Floats
+    face_depth: Floats
+    kinetic_energy: Floats
+    face_energy: Floats
+    layer_energy: Floats
+    normal_work: Floats
+    friction_work: Floats
+    layer_work: Floats
+    ball_position: Floats
+    ball_velocity: Floats
+    ball_spin: Floats
+    cover_spin: Floats
+    core_spin: Floats
+    club_position: Floats
+    club_velocity: Floats
+    club_spin: Floats
+    club_attitude: Floats
 
     _coordinates = {"axis": list("xyz"), "component": list("wxyz")}  # noqa: RUF012
 
-    def __init__(self, arrays: Mapping[str, NDArray[Any]], launch: Launch) -> None:
+    def __init__(self, arrays: Mapping[str, Floats], launch: Launch) -> None:
         self._arrays = arrays
         self.launch = launch
 
-    def __getattr__(self, name: str) -> NDArray[Any]:
+    def __getattr__(self, name: str) -> Floats:
         if name.startswith("_") or name not in self._arrays:
             raise AttributeError(f"a history by {self.launch.model} has no {name!r}" if name[0] != "_" else name)
         return self._arrays[name]
@@ -145,7 +143,7 @@ class History(Series):
         """The model, its parameters, club, ball, delivery and version."""
         return self.launch.provenance
 
-    def get(self, name: str, unit: str | None = None) -> NDArray[Any]:
+    def get(self, name: str, unit: str | None = None) -> Floats:
         """Return a quantity by name, in ``unit`` where one is given: ``get("time", "us")``."""
         check_choice("quantity", name, self.quantities)
         value = self._arrays[name]

@@ -287,6 +287,21 @@ Parameters = ParameterSet | str | os.PathLike[str] | Mapping[str, Any]
 
 
 @overload
+def impact(  # pyright: ignore[reportOverlappingOverload]
+    club: str | os.PathLike[str] | Club,
+    delivery: DeliveryLike | None = None,
+    *,
+    model: Literal["all"],
+    parameters: Mapping[str, Parameters | None] | None = None,
+    ball: str | os.PathLike[str] | Ball | None = None,
+    accuracy: float | None = None,
+    hand: HandLike | None = None,
+    threads: int | None = None,
+    progress: Callable[[int], object] | None = None,
+    on_error: Literal["raise", "nan"] = "raise",
+    **values: ValueLike | None,
+) -> Comparison: ...
+@overload
 def impact(
     club: str | os.PathLike[str] | Club,
     delivery: DeliveryLike | None = None,

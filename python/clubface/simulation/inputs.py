@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from clubface.simulation.pose import Head, Pose
-    from clubface.support.arrays import ValueLike
+    from clubface.support.arrays import NumberOrArray, ValueLike
 else:  # the same for readers of the documentation, without waiting for numpy
     ValueLike = float | str | Sequence[float] | Sequence[str]
 
@@ -91,7 +91,7 @@ class Delivery:
             if not (name == "loft" and value is None):
                 object.__setattr__(self, name, units.parse_values(value, dimension, name=name))
 
-    def values(self) -> dict[str, Any]:
+    def values(self) -> dict[str, NumberOrArray]:
         """Return the values given, SI, by name."""
         given = {name: getattr(self, name) for name in DIMENSIONS}
         return {name: value for name, value in given.items() if value is not None}

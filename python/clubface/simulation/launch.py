@@ -20,6 +20,7 @@ from clubface.results.result import Presentable, Result
 from clubface.simulation.inputs import Shots, common_shape
 from clubface.simulation.results import Batch, Variable, Varied, flight_inputs, input_columns, inputs, outputs
 from clubface.simulation.spin import SPINS, parts
+from clubface.support.arrays import Floats, NumberOrArray
 from clubface.support.checks import Frozen, check_names, warn_once
 from clubface.support.processes import check_request
 from clubface.support.version import __version__
@@ -27,7 +28,6 @@ from clubface.support.version import __version__
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from numpy.typing import NDArray
 
 
 class Launch(Batch):
@@ -77,32 +77,32 @@ class Launch(Batch):
 
     _kind = "launch"
 
-    ball_speed: Any
-    smash: Any
-    launch: Any
-    azimuth: Any
-    backspin: Any
-    sidespin: Any
-    total_spin: Any
-    spin_axis: Any
-    velocity_x: Any
-    velocity_y: Any
-    velocity_z: Any
-    spin_x: Any
-    spin_y: Any
-    spin_z: Any
-    club_velocity_x: Any
-    club_velocity_y: Any
-    club_velocity_z: Any
-    club_spin_x: Any
-    club_spin_y: Any
-    club_spin_z: Any
-    contact_time: Any
-    peak_force: Any
+    ball_speed: NumberOrArray
+    smash: NumberOrArray
+    launch: NumberOrArray
+    azimuth: NumberOrArray
+    backspin: NumberOrArray
+    sidespin: NumberOrArray
+    total_spin: NumberOrArray
+    spin_axis: NumberOrArray
+    velocity_x: NumberOrArray
+    velocity_y: NumberOrArray
+    velocity_z: NumberOrArray
+    spin_x: NumberOrArray
+    spin_y: NumberOrArray
+    spin_z: NumberOrArray
+    club_velocity_x: NumberOrArray
+    club_velocity_y: NumberOrArray
+    club_velocity_z: NumberOrArray
+    club_spin_x: NumberOrArray
+    club_spin_y: NumberOrArray
+    club_spin_z: NumberOrArray
+    contact_time: NumberOrArray
+    peak_force: NumberOrArray
 
     def __init__(
         self,
-        values: NDArray[Any],
+        values: Floats,
         shots: Shots,
         model: str,
         parameters: ParameterSet,
@@ -153,11 +153,11 @@ class Launch(Batch):
         return self._shots.loft_assumed
 
     @property
-    def delivery(self) -> dict[str, Any]:
+    def delivery(self) -> dict[str, NumberOrArray]:
         """The delivery computed, SI, by name; an array is flat."""
         return {name: self.input(name) for name, each in inputs().items() if each.group == "delivery"}
 
-    def input(self, name: str) -> Any:
+    def input(self, name: str) -> NumberOrArray:
         """Return the value [SI] of an input, of club and ball as well; an array is flat."""
         return self._shots.columns[input_columns()[name]]
 

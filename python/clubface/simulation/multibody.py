@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -22,11 +22,15 @@ from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import HandLike, prepare
 from clubface.simulation.pose import rotation_rows
 from clubface.simulation.results import outputs
+from clubface.support.arrays import Floats, NumberOrArray
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from clubface.simulation.pose import Pose
+
+    PoseLike: TypeAlias = Pose | tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike]
+    BallMotionLike: TypeAlias = "BallMotion | tuple[ArrayLike, ArrayLike, ArrayLike]"
 
 __all__ = ["BallMotion", "StepLoads", "SteppedContact", "StruckBall", "Wrench"]
 
@@ -76,16 +80,16 @@ class Wrench(NamedTuple):
         [m/s].
     """
 
-    force: Any
-    ball_torque: Any
-    head_torque: Any
-    point: Any
-    normal_force: float
-    penetration: float
-    penetration_rate: float
+    force: Floats
+    ball_torque: Floats
+    head_torque: Floats
+    point: Floats
+    normal_force: NumberOrArray
+    penetration: NumberOrArray
+    penetration_rate: NumberOrArray
 
     @classmethod
-    def from_values(cls, v: NDArray[Any]) -> Wrench:
+    def from_values(cls, v: Floats) -> Wrench:
         """Return the wrench of the 15 numbers of the core, or of their derivatives along further axes."""
         return cls(v[0:3], v[3:6], v[6:9], v[9:12], v[12], v[13], v[14])
 
@@ -105,8 +109,8 @@ class StepLoads(NamedTuple):
         At the end of the step [m], negative when apart.
     """
 
-    force: Any
-    torque: Any
+    force: Floats
+    torque: Floats
     normal_force: float
     penetration: float
 
@@ -127,9 +131,9 @@ class WrenchDerivatives(NamedTuple):
     """
 
     wrench: Wrench
-    rates: Any
+    rates: Floats
     wrench_derivatives: Wrench
-    rate_derivatives: Any
+    rate_derivatives: Floats
 
 
 class SteppedContact:
@@ -171,8 +175,8 @@ class SteppedContact:
 
     def __init__(
         self,
-        head: Pose | Any,
-        ball_motion: BallMotion | Any,
+        head: PoseLike,
+        ball_motion: BallMotionLike,
         *,
         club: str | os.PathLike[str] | Club,
         ball: str | os.PathLike[str] | Ball | None = None,
@@ -185,11 +189,11 @@ class SteppedContact:
         self.names = tuple(self._held.names)
         self.initial = self._held.initial
 
-    def _call(self, computation: Callable[..., Any], head: Any, ball_motion: Any, internal: Any) -> Any:
+    def _call(self, computation: Callable[..., Any], head: Any, ball_motion: Any, internal: ArrayLike) -> Floats:
         states = _array(internal, "internal", units.DIMENSIONLESS).tolist()
         return _call(computation, self._error, head_values(head), ball_values(ball_motion), states)
 
-    def evaluate(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> tuple[Wrench, Any]:
+    def evaluate(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> tuple[Wrench, Floats]:
         """Return what acts now, and the rates of the internal states [SI], shape (internal states,).
 
         A function of the arguments alone: head, ball and states as at the beginning, at any other instant.
@@ -197,7 +201,7 @@ class SteppedContact:
         wrench, rates = self._call(self._held.evaluate, head, ball_motion, internal)
         return Wrench.from_values(wrench), rates
 
-    def jacobian(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> WrenchDerivatives:
+    def jacobian(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> WrenchDerivatives:
         """Return what acts and the rates of the internal states with their exact derivatives."""
         rows = self._call(self._held.jacobian, head, ball_motion, internal)
         wrench, rates = rows[:15], rows[15:]
@@ -205,7 +209,7 @@ class SteppedContact:
             Wrench.from_values(wrench[:, 0]), rates[:, 0], Wrench.from_values(wrench[:, 1:]), rates[:, 1:]
         )
 
-    def commit(self, head: Pose | Any, ball_motion: BallMotion | Any, internal: Any) -> Any:
+    def commit(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> Floats:
         """Return the internal states with what the law remembers brought up to date: a step ends here."""
         return self._call(self._held.commit, head, ball_motion, internal)
 
@@ -251,16 +255,16 @@ class StruckBall:
         model: str = DEFAULT_MODEL,
         parameters: Parameters | None = None,
         hand: HandLike | None = None,
-        position: Any = (0.0, 0.0, 0.0),
-        velocity: Any = (0.0, 0.0, 0.0),
-        angular_velocity: Any = (0.0, 0.0, 0.0),
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
+        angular_velocity: ArrayLike = (0.0, 0.0, 0.0),
         head_gives_way: bool = True,
     ) -> None:
         given, self._error = _prepared(model, club, ball, parameters, hand)
         start = ball_values(BallMotion(position, velocity, angular_velocity))
         self._held = _call(core.BallHandle, self._error, *given, start, bool(head_gives_way))
 
-    def advance(self, head: Pose | Any, duration: Any) -> StepLoads:
+    def advance(self, head: PoseLike, duration: float | str) -> StepLoads:
         """Move the ball on by a duration [s], at most 0.1 s, while the head moves on from where it is now."""
         step = float(units.parse(duration, "time", name="duration"))
         v = _call(self._held.advance, self._error, head_values(head), step)
@@ -300,7 +304,7 @@ def _call(computation: Callable[..., Any], translated: Callable[[ValueError], Ex
         raise translated(error) from None
 
 
-def head_values(head: Pose | Any) -> list[float]:
+def head_values(head: PoseLike) -> list[float]:
     """Return the 18 numbers by which the core knows a head: rotation row by row, place, velocity, angular velocity."""
     rotation, position, velocity, angular_velocity = head
     turn = _array(rotation, "rotation", units.DIMENSIONLESS)

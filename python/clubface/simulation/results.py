@@ -17,6 +17,7 @@ from clubface.results.notes import Note, note
 from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, column
 from clubface.simulation import core
+from clubface.support.arrays import Floats, NumberOrArray
 from clubface.support.checks import Frozen, check_choice
 
 if TYPE_CHECKING:
@@ -120,7 +121,7 @@ class Batch(Presentable):
 
     _kind: ClassVar[str] = "result"
     shape: tuple[int, ...]
-    _values: NDArray[Any]
+    _values: Floats
     _failures: Sequence[tuple[int, str, str]]
 
     @classmethod
@@ -160,7 +161,7 @@ class Batch(Presentable):
         """The SI unit of each quantity."""
         return {name: each.unit for name, each in self.quantities().items()}
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> NumberOrArray:
         row = None if name[0] == "_" else self._rows().get(name)
         if row is None:
             raise AttributeError(f"a {self._kind} has no {name!r}")
@@ -177,7 +178,7 @@ class Batch(Presentable):
     def __bool__(self) -> bool:
         return True
 
-    def get(self, name: str, unit: str | None = None) -> Any:
+    def get(self, name: str, unit: str | None = None) -> NumberOrArray:
         """Return a quantity by name, in ``unit`` where one is given: ``get("backspin", "rpm")``."""
         check_choice("quantity", name, self.quantities())
         value = getattr(self, name)
@@ -275,7 +276,7 @@ class Series(Presentable):
 
     quantities: Mapping[str, Variable]
     provenance: Mapping[str, Any]
-    _arrays: Mapping[str, NDArray[Any]]
+    _arrays: Mapping[str, Floats]
     _coordinates: ClassVar[Mapping[str, list[str]]] = {"axis": list("xyz")}
 
     def __len__(self) -> int:
@@ -290,7 +291,7 @@ class Series(Presentable):
         """Return the dimension of an array besides time."""
         return "axis"
 
-    def components(self) -> dict[str, tuple[NDArray[Any], str]]:
+    def components(self) -> dict[str, tuple[Floats, str]]:
         """Return values over time and SI unit of each quantity, those of a vector by component: ``ball_spin_x``."""
         components = {}
         for name, each in self.quantities.items():

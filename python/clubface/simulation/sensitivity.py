@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.attachment import ADDED_NAMES
@@ -45,7 +44,7 @@ from clubface.simulation.results import (
     inputs,
     outputs as launch_outputs,
 )
-from clubface.support.arrays import ValueLike
+from clubface.support.arrays import Floats, NumberOrArray, ValueLike
 from clubface.support.checks import check_choice, check_names
 
 if TYPE_CHECKING:
@@ -94,7 +93,7 @@ class Sensitivity(Presentable):
 
     def __init__(
         self,
-        si: NDArray[Any],
+        si: Floats,
         rows: Mapping[str, Variable],
         columns: Mapping[str, Variable],
         shown: Mapping[str, str],
@@ -114,7 +113,7 @@ class Sensitivity(Presentable):
         return dict(self._shown)
 
     @property
-    def values(self) -> NDArray[Any]:
+    def values(self) -> Floats:
         """The derivatives in the units shown, of the shape of ``si``."""
         rows, columns = (
             np.array([units.size(self._shown[name]) for name in names]) for names in (self.outputs, self.variables)
@@ -122,7 +121,7 @@ class Sensitivity(Presentable):
         ones = (1,) * len(self.launch.shape)
         return self.si * columns.reshape(-1, *ones) / rows.reshape(-1, 1, *ones)
 
-    def jvp(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+    def jvp(self, changes: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
         """Return the change of every output [SI] for changes of variables, to first order: J times a vector.
 
         Parameters
@@ -138,7 +137,7 @@ class Sensitivity(Presentable):
             total = total + self.si[:, self.variables.index(name)] * value
         return self._by_name(self.outputs, total)
 
-    def vjp(self, weights: Mapping[str, Any]) -> dict[str, Any]:
+    def vjp(self, weights: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
         """Return the derivative of a weighted sum of outputs by every variable [SI]: a vector times J.
 
         Parameters
@@ -154,7 +153,7 @@ class Sensitivity(Presentable):
             total = total + self.si[self.outputs.index(name)] * value
         return self._by_name(self.variables, total)
 
-    def _by_name(self, names: Sequence[str], total: Any) -> dict[str, Any]:
+    def _by_name(self, names: Sequence[str], total: ValueLike) -> dict[str, NumberOrArray]:
         total = np.broadcast_to(total, (len(names), *self.launch.shape))
         return {name: value if self.launch.shape else float(value) for name, value in zip(names, total, strict=True)}
 
@@ -175,7 +174,7 @@ class Sensitivity(Presentable):
         self._place(output, variable)
         return f"{self._shown[output]} per {self._shown[variable]}"
 
-    def value(self, output: str, variable: str, unit: str | None = None) -> Any:
+    def value(self, output: str, variable: str, unit: str | None = None) -> NumberOrArray:
         """Return one derivative, of many shots an array: in SI, or in ``unit`` such as "rpm per mm"."""
         derivative = self.si[self._place(output, variable)]
         derivative = derivative if self.launch.shape else float(derivative)
@@ -417,7 +416,7 @@ class FlightDerivatives(NamedTuple):
     """
 
     values: dict[str, float]
-    jacobian: NDArray[Any]
+    jacobian: Floats
 
     def by(self, quantity: str, name: str) -> float:
         """Return the derivative of one quantity by one input [SI]."""

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface.simulation import core
-from clubface.support.arrays import ValueLike
+from clubface.support.arrays import NumberOrArray, ValueLike
 
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]
 
@@ -27,7 +27,7 @@ BIG_CURVE: float = _SHAPES["big_curve"]
 """Largest curve, as a share of the carry, that is no hook or slice: that of 12 degrees of spin axis."""
 
 
-def curve(azimuth: ValueLike, carry: ValueLike, side: ValueLike) -> Any:
+def curve(azimuth: ValueLike, carry: ValueLike, side: ValueLike) -> NumberOrArray:
     """Return the distance of the landing from the line on which the ball starts [m]; to the right is positive.
 
     Parameters

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from clubface import units
 from clubface.capture.ball_flight import GRAVITY
@@ -202,7 +203,7 @@ class SyntheticSwing:
     slowed: tuple[Array, Array]
     struck: Array
 
-    def head(self, time: Any) -> tuple[Array, Array]:
+    def head(self, time: ArrayLike) -> tuple[Array, Array]:
         """Return position of the CG [m] and attitude (club axes to world) at times [s], as for a right-hander."""
         time = np.asarray(time, dtype=np.float64)
         position, rotation = self.chain.pose(time)
@@ -211,7 +212,7 @@ class SyntheticSwing:
         attitude = exponential(gained * back * self.slowed[1]) @ self.turned @ rotation @ self.fixed
         return position @ self.turned.T + self.moved + gained * self.slowed[0], attitude
 
-    def points(self, local: Any, time: Any) -> Array:
+    def points(self, local: ArrayLike, time: ArrayLike) -> Array:
         """Return the positions of points of the head in the world [m], shape (times, points, 3).
 
         ``local`` are points from the face centre [m], in club axes at the static loft with z towards the toe, shape
@@ -221,7 +222,7 @@ class SyntheticSwing:
         from_cg = np.asarray(local, dtype=np.float64) + np.array(self.club.cg)
         return (position[:, None] + np.einsum("kij,mj->kmi", attitude, from_cg)) * self.mirror
 
-    def ball_centre(self, time: Any) -> Array:
+    def ball_centre(self, time: ArrayLike) -> Array:
         """Return the centre of the ball in the world [m] at times [s], shape (times, 3)."""
         time = np.asarray(time, dtype=np.float64)
         fallen = 0.5 * GRAVITY * np.maximum(time, 0.0)[..., None] ** 2 * np.array([0.0, 1.0, 0.0])

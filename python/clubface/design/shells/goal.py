@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from clubface.support.arrays import Floats
 
 Values = dict[str, float]
 """The quantities of a design by name, all positive."""
@@ -39,7 +39,7 @@ class Goal:
         """Return the logarithm of the objective, or minus it if it shall be large: smaller is better."""
         return (-1.0 if self.largest else 1.0) * math.log(values[self.objective])
 
-    def excess(self, values: Values) -> NDArray[Any]:
+    def excess(self, values: Values) -> Floats:
         """Return by how much every limit is broken, relatively; negative where it is kept."""
         result = []
         for name, (least, most) in self.limits.items():

@@ -40,7 +40,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of
@@ -73,6 +72,7 @@ from clubface.schema.values import (
 )
 from clubface.simulation.impact import impact
 from clubface.simulation.inputs import DELIVERY_QUANTITIES as DELIVERED, DIMENSIONS, Delivery
+from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice, check_count, check_names, without_warnings
 from clubface.support.files import path_of
 
@@ -123,7 +123,7 @@ def design_quantity(name: str) -> Quantity:
 class FaceImpact:
     """A delivery, and where on the face it strikes: distances to the toe and above the face centre [m]."""
 
-    delivery: Mapping[str, Any]
+    delivery: Mapping[str, ValueLike]
     points: tuple[tuple[float, float], ...] = ((0.0, 0.0),)
 
     def at(self, point: tuple[float, float]) -> dict[str, Any]:
@@ -322,16 +322,16 @@ class ShellStudy(_Asked):
         """Return what the head to start from has of a variable [SI]."""
         return self.family.value(self.head, name)
 
-    def start(self) -> NDArray[Any]:
+    def start(self) -> Floats:
         """Return the head to start from, as shares of the bounds."""
         return np.array([(self.start_value(name) - low) / (high - low) for name, (low, high) in self.bounds.items()])
 
-    def variables(self, place: NDArray[Any]) -> dict[str, float]:
+    def variables(self, place: Floats) -> dict[str, float]:
         """Return the variables [SI] of shares of the bounds."""
         return {name: low + float(share) * (high - low)
                 for share, (name, (low, high)) in zip(place, self.bounds.items(), strict=True)}  # fmt: skip
 
-    def at(self, place: NDArray[Any], choice: MetalChoice, own: Mapping[str, float] | None = None) -> Head:
+    def at(self, place: Floats, choice: MetalChoice, own: Mapping[str, float] | None = None) -> Head:
         """Return the head at a place within the bounds, of metals that stay elastic."""
         return self.family.vary({**self.variables(place), **(own or {})}, choice)
 

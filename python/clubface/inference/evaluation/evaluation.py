@@ -56,7 +56,7 @@ def evaluate(
     noise: Mapping[str, ValueLike] | None = None,
     delivery_noise: Mapping[str, ValueLike] | None = None,
     compared_at: str = DELIVERY,
-    groups: Sequence[object] | NDArray[Any] | None = None,
+    groups: Sequence[object] | NDArray[np.generic] | None = None,
     resamples: int = 2000,
     seed: int = 0,
     threads: int | None = None,

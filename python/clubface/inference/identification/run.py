@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import NormalDist
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from clubface import units
 from clubface.equipment.balls import Ball
@@ -284,14 +285,14 @@ def identify(
     model: str,
     parameters: Parameters | None = None,
     free: str | Iterable[str] | None = None,
-    bounds: Mapping[str, Any] | None = None,
+    bounds: Mapping[str, tuple[float | str, float | str]] | None = None,
     tied: Mapping[str, str] | None = None,
     ball: str | os.PathLike[str] | Ball | None = None,
     only: str | None = None,
     mismatch: str = "refuse",
     quantities: Iterable[str] | None = None,
     compared_at: str = DELIVERY,
-    groups: Any = None,
+    groups: Sequence[object] | NDArray[np.generic] | None = None,
     cost: str = "published",
     normaliser: str = "absolute",
     noise: Mapping[str, ValueLike] | None = None,
