@@ -29,7 +29,7 @@ from clubface.chain.mechanics import (
 )
 from clubface.chain.mjcf import mjcf
 from clubface.equipment.attachment import added_inputs
-from clubface.equipment.balls import Ball, ball as ball_named
+from clubface.equipment.balls import ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.equipment.shafts import Shaft, shaft as shaft_named
@@ -152,7 +152,7 @@ class Swing:
         shaft: str | os.PathLike[str] | Shaft = "graphite",
         golfer: GolferBody | None = None,
         *,
-        ball: str | os.PathLike[str] | Ball | None = None,
+        ball: str | os.PathLike[str] | clubface.Ball | None = None,
         model: str = DEFAULT_MODEL,
         hands: float = 0.12,
         modes: int = 5,
