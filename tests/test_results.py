@@ -70,7 +70,7 @@ DESCRIPTIONS = {"a golfer", "a club", "a ball"}
 SURFACES = ("to_result", "to_dict", "to_pandas", "to_xarray", "_repr_html_")
 
 
-@pytest.mark.parametrize("name", RESULTS.keys() - DESCRIPTIONS)
+@pytest.mark.parametrize("name", sorted(RESULTS.keys() - DESCRIPTIONS))
 def test_what_is_computed_is_a_document_a_table_a_dataset_and_a_page(name):
     made = RESULTS[name]()
     document = made.to_dict()
