@@ -224,7 +224,7 @@ class Derivatives(NamedTuple):
 
 
 @renamed_arguments(which="ball")
-def variables(club: str | os.PathLike[str] | Club | ShellHead, *, ball: AnyBall = None) -> list[str]:
+def variables(club: str | os.PathLike[str] | Club | MeshedHead, *, ball: AnyBall = None) -> list[str]:
     """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
 
     A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of
@@ -254,7 +254,7 @@ def _slopes(made: Ball, name: str) -> dict[str, float]:
     return {name: 1.0}
 
 
-def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str, Any] | None, Any]:
+def _head_of(club: str | os.PathLike[str] | Club | MeshedHead) -> tuple[dict[str, Any] | None, Any]:
     """Return the mesh of a head of shells as the core takes it, and the rigid club."""
     if isinstance(club, MeshedHead) and not isinstance(club, ShellHead):
         raise InputError("club", club.name, "a club, whose head is rigid, or a head of shells")
@@ -263,7 +263,7 @@ def _head_of(club: str | os.PathLike[str] | Club | ShellHead) -> tuple[dict[str,
 
 @renamed_arguments(which="ball")
 def sensitivity(
-    club: str | os.PathLike[str] | Club | ShellHead,
+    club: str | os.PathLike[str] | Club | MeshedHead,
     delivery: DeliveryLike | None = None,
     *,
     by: Iterable[str],
