@@ -209,6 +209,7 @@ def test_too_many_combinations_are_refused(clubface_):
 def test_clubs_that_differ_in_nothing_are_said_to(clubface_, tmp_path):
     same = tmp_path / "same.toml"
     assert clubface_("club", "new", "same", "-o", str(same)).status == 0
-    ran = clubface_("compare", "driver", str(same), "--speed", "105 mph")
-    assert "same is like driver" in ran.out
+    ran = clubface_("compare", "driver", str(same), "--speed", "105 mph", "--json")
+    notes = [(each["code"], each["data"]) for each in ran.json["notes"]]
+    assert ("comparison-same", {"name": "same", "first": "driver"}) in notes
     assert "remainder" not in ran.out
