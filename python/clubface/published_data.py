@@ -104,13 +104,13 @@ class TableEntry:
     title: str = file_key(WORDS, "what it is")
     kind: str = file_key(Choice(tuple(KINDS)), "what the figures are")
     source: str = file_key(WORDS, "author, year, title, publication and place in it")
-    via: str | None = file_key(WORDS, "what the figures were read in, if not the source", default=None)
-    conditions: str = file_key(WORDS, "how the figures came about, and how they are to be read")
+    via: str | None = file_key(WORDS, "where the figures were read, if not in the source", default=None)
+    conditions: str = file_key(WORDS, "how the figures were obtained, and how to read them")
     caveat: str | None = file_key(WORDS, "what is in doubt", default=None)
     derived: Mapping[str, str] = file_key(
         Record(WORDS), "columns that the source computed from others, with the reason", default_factory=dict
     )
-    file: Path | None = file_key(FilePath("text in quotes"), "a CSV file, in place of columns and rows", default=None)
+    file: Path | None = file_key(FilePath("text in quotes"), "a CSV file, instead of columns and rows", default=None)
     columns: tuple[str, ...] | None = file_key(Items(TEXT), "names of columns, with units in brackets", default=None)
     rows: tuple[tuple[Any, ...], ...] | None = file_key(Items(Items(Simple())), "the rows", default=None)
 
@@ -173,7 +173,7 @@ def _columns(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> tuple[dict[
     for head, cells in zip(heads, zip(*rows, strict=True), strict=True):
         name, symbol = units.parse_column_name(head) if "[" in head else (head, None)
         if name in columns or name != name.lower() or not name.isidentifier():
-            raise InputError("column", head, "a name in small letters with its unit in brackets, once in a table")
+            raise InputError("column", head, "a lower-case name with its unit in brackets, used once in a table")
         if symbol is None:
             columns[name] = np.array([_word(cell, f"{name} in row {number}") for number, cell in enumerate(cells, 1)])
         else:

@@ -144,7 +144,7 @@ def test_an_object_of_a_dataclass_is_also_read_from_the_words_of_its_template():
 def test_the_keys_have_rows_for_a_page():
     rows = {name: (allowed, meaning) for name, allowed, meaning in key_rows(Tee)}
     assert rows["`width` or `half`"] == ("above 0 m", "from side to side")
-    assert rows["`colour`"] == ("`white`, `red`; `white` unless given", "of its markers")
+    assert rows["`colour`"] == ("`white`, `red`; default `white`", "of its markers")
     assert rows["`pegs.height`"] == ("0 to 100 mm", "above the ground")
     assert list(rows) == [*(f"`{key}`" if key != "width" else "`width` or `half`" for key in (
         "name", "width", "colour", "level", "holes", "winds", "grass", "grass.length", "pegs", "pegs.name",

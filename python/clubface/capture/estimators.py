@@ -160,7 +160,7 @@ def check_roughness(value: object) -> float:
     """Return the roughness; one that is not positive and finite is an :class:`InputError`."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and 0.0 < value < math.inf:
         return float(value)
-    raise InputError("roughness", value, f"a number above 0; {ROUGHNESS:g} unless given")
+    raise InputError("roughness", value, f"a number above 0 (default {ROUGHNESS:g})")
 
 
 def fit(

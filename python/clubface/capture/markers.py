@@ -218,7 +218,9 @@ class CalibrationTable:
     """What places the markers on the head."""
 
     by: str | None = file_key(Choice(WAYS), "what it goes by", default=None)
-    file: str | None = file_key(TEXT, "the C3D file that shows the face or the address; else the swing", default=None)
+    file: str | None = file_key(
+        TEXT, "the C3D file that shows the face or the address; default: the swing", default=None
+    )
     frames: tuple[int, int] | None = file_key(
         Items(count(0, 2**31), 2, 2, "the first and the last, as in [1, 90]"), "of the address", default=None
     )
@@ -232,7 +234,7 @@ class BallTable:
 
     marker: str | None = file_key(TEXT, "the marker whose centre is that of the ball", default=None)
     offset: Point = file_key(VECTOR, "from the marker to the centre of the ball", default=(0.0, 0.0, 0.0))
-    position: Point | None = file_key(VECTOR, "of the ball, in place of a marker", default=None)
+    position: Point | None = file_key(VECTOR, "of the ball, instead of a marker", default=None)
     accuracy: float | None = file_key(DEVIATION, "standard deviation of the position", default=None)
 
     def __post_init__(self) -> None:
@@ -249,7 +251,7 @@ class LaboratoryTable:
 
     target: str | tuple[str, str] = file_key(TARGET, "axis to the target, or two markers", default="+x")
     up: str = file_key(TEXT, "axis that points up", default="+z")
-    unit: str | None = file_key(TEXT, "unit of the files, where they name none or a wrong one", default=None)
+    unit: str | None = file_key(TEXT, "unit of the files, if they give none or a wrong one", default=None)
 
     def __post_init__(self) -> None:
         if self.unit is not None:

@@ -378,7 +378,7 @@ class Dispersion(Described):
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse of the landings that holds a share of them."""
         if not self.points.size:
-            raise InputError("share", share, "asked of shots that fly and come down")
+            raise InputError("share", share, "requested for shots that fly and land")
         return self.tally.ellipse(share)
 
 

@@ -20,7 +20,7 @@ As a TOML file::
 
     [mishit]
     share = 0.1                    # of the shots,
-    scale = 2                      # whose deviations are so many times as wide
+    scale = 2                      # factor on their deviations
 
     [sources]
     mean.speed = "measured"
@@ -348,7 +348,7 @@ class Mishit:
     """How often the golfer mishits, and how far."""
 
     share: float = file_key(PhysicalValue("1", lower=0, below=1), "share of the shots that are mishits")
-    scale: float = file_key(PhysicalValue("1", 1, WIDEST), "how many times as wide their deviations are")
+    scale: float = file_key(PhysicalValue("1", 1, WIDEST), "factor on their deviations")
 
 
 TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))
@@ -358,8 +358,8 @@ TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))
 class GolferFile:
     """A file of a golfer."""
 
-    title: str = file_key(TEXT, "whom it describes, in a line")
-    club: str = file_key(Reference(os.fspath), "the club the deliveries are of", default="driver")
+    title: str = file_key(TEXT, "description of the golfer, in one line")
+    club: str = file_key(Reference(os.fspath), "the club that is delivered", default="driver")
     hand: int = file_key(Choice(HANDS), "the hand of the golfer", default=1)
     mean: Mapping[str, float] = file_key(
         Record({name: DeliveryFigure(name) for name in OF_CLUB}, ("speed",)), "means of the delivery"
@@ -370,10 +370,10 @@ class GolferFile:
     correlation: tuple[Correlation, ...] = file_key(
         Tables(Table(Correlation)), "correlations of pairs; all others are independent", default=()
     )
-    mishit: Mishit | None = file_key(Table(Mishit), "shots whose deviations are wider", default=None)
+    mishit: Mishit | None = file_key(Table(Mishit), "shots with larger deviations", default=None)
     sources: Mapping[str, Any] = file_key(
         Record({"correlation": TEXT, "mishits": TEXT, "mean": TEXTS, "spread": TEXTS}),
-        "where figures come from; `assumed` unless given", default_factory=dict,
+        "source of the figures; default `assumed`", default_factory=dict,
     )  # fmt: skip
 
 

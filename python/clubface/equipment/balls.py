@@ -161,7 +161,7 @@ class Ball(EquipmentItem):
 
     OTHER_KEYS: ClassVar = dict.fromkeys(Construction.KEYS, Simple())
 
-    name: str = file_key(NAME, "what it is called in tables")
+    name: str = file_key(NAME, "name in tables")
     description: str = file_key(TEXT, "a sentence for lists", default="")
     mass: float = file_key(PhysicalValue("g"), "mass", example="45.93 g")
     radius: float = file_key(PhysicalValue("mm"), "radius", example="21.335 mm", multiples={"diameter": 0.5})
@@ -169,7 +169,7 @@ class Ball(EquipmentItem):
     friction: float | None = file_key(COVER_FRICTION, "of the cover on a clubface", example="0.35", default=None)
     parameters: Mapping[str, Mapping[str, float]] = file_key(
         Record(Record(Simple()), make=_checked_parameters),
-        "values of parameters, a table a model",
+        "parameter values, one table per model",
         default_factory=dict,
         hash=False,
     )

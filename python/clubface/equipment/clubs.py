@@ -120,7 +120,7 @@ class Club(EquipmentItem):
 
     SOURCE_GROUPS: ClassVar = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
 
-    name: str = file_key(NAME, "what it is called in tables")
+    name: str = file_key(NAME, "name in tables")
     kind: str = file_key(Choice(KINDS), "kind of head", example='"wood"')
     hand: int = file_key(Choice(HANDS), "right or left; the numbers stay those of the right-handed club", default=1)
     parameters: str = file_key(Choice(FAMILIES), "published parameter sets to use", default="")
@@ -144,7 +144,7 @@ class Club(EquipmentItem):
         PhysicalValue("us"), "of the face, by the rules' pendulum; 0 is rigid", example="250 us", default=None
     )
     cor: float | None = file_key(
-        PhysicalValue("1"), "coefficient of restitution at 160 ft/s, in its place", example="0.826", default=None
+        PhysicalValue("1"), "coefficient of restitution at 160 ft/s, instead", example="0.826", default=None
     )
     added_inertia: tuple[tuple[float, ...], ...] | None = file_key(
         ADDED_INERTIA, "what shaft and hands add to the inertia about the CG, SI", default=None

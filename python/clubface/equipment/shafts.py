@@ -93,7 +93,7 @@ class Shaft(EquipmentItem):
         "position", "mass_per_length", "bending_stiffness", "torsional_stiffness", "diameter", "axial_stiffness",
     )  # fmt: skip
 
-    name: str = file_key(NAME, "what it is called in tables")
+    name: str = file_key(NAME, "name in tables")
     description: str = file_key(TEXT, "a sentence for lists", default="")
     position: tuple[float, ...] = file_key(
         _list(MILLIMETRES), "stations from the tip to the butt", example='["0 mm", "525 mm", "1050 mm"]'
@@ -116,7 +116,7 @@ class Shaft(EquipmentItem):
     lie: float = file_key(PhysicalValue("deg", 0, 90), "between shaft and ground at address", example="58 deg")
     grip: str = file_key(Choice(GRIPS), "how the hands hold the butt", default="free")
     grip_stiffness: float = file_key(
-        PhysicalValue("1", lower=0), "against rotation of a pinned butt, N m/rad", example="0.0", default=0.0
+        PhysicalValue("1", lower=0), "rotational stiffness of a pinned butt, N m/rad", example="0.0", default=0.0
     )
     grip_mass: float = file_key(PhysicalValue("g", lower=0), "of grip and hands", example="50 g", default=0.0)
     sources: Mapping[str, str] = file_key(

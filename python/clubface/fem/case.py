@@ -52,7 +52,7 @@ class Case:
     delivery
         Delivery of the head, as for :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
-        Coefficient of Coulomb friction; that of the ball unless given.
+        Coefficient of Coulomb friction; default: the ball's.
     settings
         How to run the case.
     """
@@ -159,7 +159,7 @@ class CaseFile:
     name: str = file_key(NAME, "its name in tables")
     description: str = file_key(TEXT, "one sentence", default="")
     ball: Ball = file_key(Reference(ball), "the ball, made of pieces")
-    friction: float = file_key(Unread(COVER_FRICTION), "Coulomb friction; that of the ball unless given", default=None)
+    friction: float = file_key(Unread(COVER_FRICTION), "Coulomb friction; default: the ball's", default=None)
     head: tuple[str, Any] = file_key(
         _HEAD, 'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one'
     )

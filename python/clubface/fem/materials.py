@@ -302,10 +302,10 @@ def register_law(
     if not (isinstance(name, str) and name.replace("-", "_").isidentifier()):
         raise InputError("name", name, "a word of letters, digits, hyphens and underscores")
     if name in builtin_laws() or name == "energy":
-        raise InputError("name", name, "one that no law of the package has")
+        raise InputError("name", name, "a name that no built-in law has")
     address = function_address(function)
     if not address:
-        raise InputError("function", function, "a function of C: of ctypes (LawFunction), or a cfunc of Numba")
+        raise InputError("function", function, "a C function: from ctypes (LawFunction), or a Numba cfunc")
     if not isinstance(constants, Mapping | None):
         raise InputError("constants", constants, 'typical values by name, as in {"c10": "9.5 MPa"}')
     states = check_count("states", states, 0, MOST_NUMBERS)
@@ -313,7 +313,7 @@ def register_law(
     dimensions, values = {}, []
     for key, given in (constants or {}).items():
         if not (isinstance(key, str) and key.isidentifier()) or key in NOT_CONSTANTS:
-            raise InputError("name of a constant", key, "a word that is no other key of a piece of a ball")
+            raise InputError("name of a constant", key, "a word that is not already a key of a ball piece")
         dimensions[key] = units.dimension_of(given, name=key)
         values.append(units.parse(given, dimensions[key], name=key))
     law = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own", states)

@@ -91,7 +91,7 @@ def throw(
     angle
         Angle between the velocity and the normal of the plane [rad], or text with a unit.
     friction
-        Coefficient of Coulomb friction; that of the ball unless given.
+        Coefficient of Coulomb friction; default: the ball's.
     settings
         How to run the impact.
     progress

@@ -40,7 +40,7 @@ class Settings:
     duration: float = file_key(PhysicalValue("us", 1, 1e5, allowed="1 us to 0.1 s"), "simulated time", default=1e-3)
     safety: float | None = file_key(
         PhysicalValue("1", 0.05, 1, allowed="0.05 to 1, the stable step"),
-        "time step divided by the stable step of the undeformed bodies; theirs unless given", default=None,
+        "time step divided by the stable step of the undeformed bodies; chosen by default", default=None,
     )  # fmt: skip
     interval: float = file_key(
         PhysicalValue("us", 0.01, allowed="0.01 us to the duration"),
@@ -49,7 +49,7 @@ class Settings:
     until_separation: bool = file_key(
         FLAG, "whether to end soon after the last touch, before or after `duration` (0.1 s at most)", default=False
     )
-    contact: str = file_key(Choice(METHODS), "how nodes are kept out of the face", default="penalty")
+    contact: str = file_key(Choice(METHODS), "contact method", default="penalty")
     bulk_viscosity: float = file_key(
         PhysicalValue("1", 0, 1, allowed="0 to 1; 0.06 is usual"),
         "coefficient of a pressure against fast changes of volume", default=0.0,

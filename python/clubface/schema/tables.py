@@ -315,7 +315,7 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
         words = kind.words().format(name)
         default: Any = entry.default if entry and not entry.is_required else None
         if isinstance(default, int | float | str) and default != "":
-            words += f"; `{kind.show(default)}` unless given"
+            words += f"; default `{kind.show(default)}`"
         names = " or ".join(f"`{prefix}{one}`" for one in (name, *(entry.multiples if entry else ())))
         rows.append((names, words, entry.meaning if entry else ""))
         rows += key_rows(kind, f"{prefix}{name}.")

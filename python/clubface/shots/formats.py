@@ -283,9 +283,9 @@ class MappingFile:
 
     name: str | None = file_key(TEXT, "name of the format", default=None)
     delimiter: str | None = file_key(
-        Choice((",", ";", "\t", "|")), "character between cells; seen unless given", default=None
+        Choice((",", ";", "\t", "|")), "character between cells; detected by default", default=None
     )
-    decimal: bool | None = file_key(Choice({".": False, ",": True}), "decimal sign; seen unless given", default=None)
+    decimal: bool | None = file_key(Choice({".": False, ",": True}), "decimal sign; detected by default", default=None)
     club: str | None = file_key(TEXT, "heading of the column that names the club", default=None)
     player: str | None = file_key(TEXT, "heading of the column that names the player", default=None)
     hand: str | None = file_key(TEXT, "heading of the column that says right or left", default=None)
@@ -297,7 +297,7 @@ class MappingFile:
 
     def __post_init__(self) -> None:
         if self.delimiter == "," and self.decimal:
-            raise InputError("decimal", ",", "another sign than the delimiter: they cannot both be a comma")
+            raise InputError("decimal", ",", "a sign other than the delimiter: they cannot both be a comma")
         if all(optional for _, optional in self.columns.values()):
             allowed = "columns of which at least one is not optional: the header is known by it"
             raise InputError("columns", list(self.columns), allowed)

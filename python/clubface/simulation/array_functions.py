@@ -312,7 +312,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         }
         for name in ("ball_speed", "launch"):
             if name not in parsed:
-                raise InputError(name, None, "give it: a flight cannot start without")
+                raise InputError(name, None, "give it: a flight cannot start without it")
         zero = xp.zeros_like(xp.asarray(parsed["ball_speed"]))
         speed, launch, azimuth = parsed["ball_speed"], parsed["launch"], parsed.get("azimuth", zero)
         if "total_spin" in parsed:

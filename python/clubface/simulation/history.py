@@ -182,7 +182,7 @@ def history(
     """
     if model_named(model).kind != "contact":
         contact = [name for name, each in models().items() if each.kind == "contact"]
-        raise InputError("model", model, f"a contact model, which resolves time: {', '.join(contact)}")
+        raise InputError("model", model, f"a contact model, which has a time scale: {', '.join(contact)}")
     accuracy = tolerance(accuracy)
     prepared = prepare(model, club, as_values(delivery, values), ball, parameters, hand, single="a history")
     try:

@@ -320,7 +320,7 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
     check_request(math.prod(shape), 8 * (len(MONITOR) + 6))
     for name in ("ball_speed", "launch"):
         if name not in terms:
-            raise InputError(name, None, "give it: a flight cannot start without")
+            raise InputError(name, None, "give it: a flight cannot start without it")
     speed, launch, azimuth = terms["ball_speed"], terms["launch"], terms.get("azimuth", 0.0)
     backspin, sidespin, assumed = parts({name: terms[name] for name in SPINS if name in terms})
     if assumed:

@@ -111,7 +111,7 @@ def register_law(
     if not (isinstance(name, str) and name.isidentifier()):
         raise InputError("name", name, "a word of letters, digits and underscores")
     if name in models() or name in MODULES or name == "all":
-        raise InputError("name", name, "one that no model of the package has")
+        raise InputError("name", name, "a name that no built-in model has")
     address = function_address(law)
     if not callable(law) and not address:
         raise InputError("law", law, "a function of a Touch and the values of the parameters")

@@ -97,7 +97,7 @@ class SharedStudy(NamedTuple):
                 study = read_study(self.path, InputRecord(given_files(self.files, store.inputs)))
                 store.check(study)
                 if store.identity != self.identity:
-                    raise FileError(self.folder, None, "this store has become that of another study meanwhile")
+                    raise FileError(self.folder, None, "this store now belongs to another study")
                 _opened.clear()
                 _opened[self[:3]] = Chunks(study, store)
             chunks = _opened[self[:3]]

@@ -214,7 +214,7 @@ def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) 
 class StudyTable:
     """How the tasks of a study are chosen and cut into chunks."""
 
-    name: str | None = file_key(NAME, "what it is called; the name of the file unless given", default=None)
+    name: str | None = file_key(NAME, "its name; default: the name of the file", default=None)
     kind: str = file_key(Choice(tuple(KINDS)), "what is computed", default="impact")
     design: str = file_key(Choice(tuple(DESIGNS)), "how the tasks are chosen", default=GRID)
     samples: Any = file_key(
@@ -226,12 +226,12 @@ class StudyTable:
     chunk: int | None = file_key(count(1, MOST_ROWS), "tasks of a chunk", default=None)
     seconds: float | None = file_key(
         PhysicalValue("s", 0.01, 600, allowed="from 0.01 to 600 s; 1 to 10 s are usual"),
-        "in its place: the time that a chunk should take on one processor; 2 s unless given",
+        "instead: the time that a chunk should take on one processor; default 2 s",
         default=None,
     )
     units: Mapping[str, str] = file_key(
         Record(TEXT, example='{ speed = "mph", angle = "deg" }'),
-        "units of columns of the design `table` that name none", default_factory=dict,
+        "units of columns of the design `table` that have none", default_factory=dict,
     )  # fmt: skip
 
     def __post_init__(self) -> None:

@@ -360,7 +360,7 @@ class HeadTable:
     )
     shell: Mapping[str, float] | None = file_key(
         Record({name: PhysicalValue(UNITS[name]) for name in MASS_PROPERTIES}, MASS_PROPERTIES),
-        "mass properties of what cannot be moved; the club made lighter evenly unless given", default=None,
+        "mass properties of the fixed part; default: the club made uniformly lighter", default=None,
     )  # fmt: skip
 
     def head(self) -> Head:
@@ -426,7 +426,7 @@ class StudyFile(CommonFile):
     ball: Ball | None = file_key(Reference(ball_of), "the ball", default=None)
     starts: int = file_key(count(*COUNTS["starts"]), "starts of the solver", default=8)
     points: int | None = file_key(count(*COUNTS["points"]), "points of a front between two objectives", default=None)
-    variables: Mapping[str, Any] = file_key(VARIABLES, 'what changes, within bounds; `mass_distribution = "free"`')
+    variables: Mapping[str, Any] = file_key(VARIABLES, 'what may change, within bounds; `mass_distribution = "free"`')
     head: HeadTable | None = file_key(Table(HeadTable), "what the head may be", default=None)
     limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "of fields and of results", default_factory=dict)
     rules: Mapping[str, bool] = file_key(RULES, "whether the rules are limits, with tolerances", default_factory=dict)

@@ -189,18 +189,18 @@ class _Asked:
 
     title: str = file_key(TEXT, "for tables")
     head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
-    objective: str = file_key(Choice(tuple(OBJECTIVES)), "what is best; `wall_mass` is the least")
+    objective: str = file_key(Choice(tuple(OBJECTIVES)), "the objective; `wall_mass` is minimised")
     ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
     safety: float = file_key(PhysicalValue("1"), "factor by which the yield stress is divided", default=1.0)
     rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
-    designs: int = file_key(count(2, 500), "designs that the engine may judge, for each metal", default=20)
+    designs: int = file_key(count(2, 500), "maximum number of designs to compute, for each metal", default=20)
     radius: float = file_key(
-        PhysicalValue("1"), "half the width of the first region, as a share of the bounds", default=0.3
+        PhysicalValue("1"), "half the width of the first region, as a fraction of the bounds", default=0.3
     )
-    neighbours: bool = file_key(FLAG, "whether the engine judges neighbours of the start first", default=True)
+    neighbours: bool = file_key(FLAG, "whether neighbours of the start are computed first", default=True)
     limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
     metals: tuple[NamedMetal, ...] = file_key(
-        METALS, "to choose from, of a mesh by `groups`; those of the head unless given", default=()
+        METALS, "metals to choose from, for a mesh by `groups`; default: the head's own", default=()
     )
 
 
@@ -355,13 +355,13 @@ class ShellStudy(_Asked):
 class ShellFile(_Asked):
     """A file of a study of a head of shells."""
 
-    golfer: Golfer | None = file_key(Reference(golfer_of), "whose mean delivery it is, in place of one", default=None)
-    variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what changes, within bounds")
+    golfer: Golfer | None = file_key(Reference(golfer_of), "golfer whose mean delivery is used instead", default=None)
+    variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what may change, within bounds")
     delivery: Mapping[str, Any] = file_key(
         FACE_IMPACT, "the delivery, and the points that it strikes", default_factory=dict
     )
     hardest: Mapping[str, Any] | None = file_key(
-        FACE_IMPACT, "what is other in the hardest impact, whose stress the face must stand", default=None
+        FACE_IMPACT, "what differs in the hardest impact, which the face must withstand", default=None
     )
 
     def study(self) -> ShellStudy:

@@ -71,7 +71,7 @@ class DriverHead:
     thickness: Mapping[str, float] = file_key(
         Record(dict.fromkeys(WALLS, PhysicalValue("mm", decimals=4)), WALLS), "thickness of walls"
     )
-    target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head shall have")
+    target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head should have")
     metal: Metal = file_key(Table(Metal), "the metal of all parts", default_factory=Metal)
     trims: Mapping[str, Place] = file_key(TRIMS, "places where mass may be added", default_factory=dict)
 

@@ -67,7 +67,7 @@ class IronHead:
     shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
     grooves: Mapping[str, float] | None = file_key(Record(GROOVES, GROOVES), "dimensions of grooves", default=None)
     metal: Metal = file_key(
-        Table(Metal, without=("points", "rule")), "the metal; a stainless steel unless given", default=STEEL
+        Table(Metal, without=("points", "rule")), "the metal; default: a stainless steel", default=STEEL
     )
     masses: Mapping[str, Place] = file_key(
         MASSES, "added masses, such as that of the hosel, the place counted from the face centre", default_factory=dict

@@ -98,9 +98,7 @@ class MeshHead:
     )
     groups: tuple[Group, ...] = file_key(Tables(GROUP_TABLE), "thickness and metal of the parts of the mesh")
     element: str = file_key(Choice(ELEMENTS), "kind of the hexahedra", default="one-point")
-    bonds: tuple[Bond, ...] = file_key(
-        Tables(BOND_TABLE, "bond"), "parts of solid elements that are bonded to others", default=()
-    )
+    bonds: tuple[Bond, ...] = file_key(Tables(BOND_TABLE, "bond"), "solid parts that are bonded to others", default=())
     masses: Mapping[str, Place] = file_key(
         MASSES, "added masses, the place counted from the face centre", default_factory=dict
     )

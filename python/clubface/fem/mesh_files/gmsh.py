@@ -130,7 +130,7 @@ class GmshReader(MeshBuilder):
         elif (reader := self._reader(name)) is not None:
             if self.version < 3.0 and lines[start + 1].strip() != str(end - start - 2):
                 stated, has = shortened(lines[start + 1].strip(), 40), max(0, end - start - 2)
-                raise FileError(self.path, start + 2, f"this section says that it has {stated} lines, and has {has}")
+                raise FileError(self.path, start + 2, f"this section says that it has {stated} lines, but has {has}")
             reader(_TextRows(self, lines, start + 1, end))
 
     def _reader(self, name: str) -> Callable[[_Rows], None] | None:

@@ -67,7 +67,7 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
     parameters: dict[str, Swept] = {}
     for each in given if isinstance(given, list) else [given]:
         if isinstance(each, str) and each in OWN:
-            raise InputError("model", each, "one of the package: a law of your own is known in one process alone")
+            raise InputError("model", each, "one of the package: a law of your own is known only in one process")
         parameters |= {parameter.name: Swept(parameter.unit) for parameter in model_of(each).parameters}
     return {**parameters, **numbers, **swept_conditions(), **named, "hand": Swept(None, tuple(HANDS))}
 
