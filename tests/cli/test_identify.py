@@ -101,11 +101,11 @@ def test_options_reach_the_fit(clubface_, drives):
         (("drives.csv", "--model", "slip", "--plot", "none/a.png"), ("--plot", "none/a.png", "folder that exists")),
         (
             ("drives.csv", "--model", "slip", "--checkpoint", "drives.csv"),
-            ("drives.csv", "no record of unfinished work", "another name"),
+            ("drives.csv", "not a record of unfinished work", "another name"),
         ),
         (
             ("drives.csv", "--club", "own.toml", "-o", "./own.toml"),
-            ("--output", "another file than those that are read"),
+            ("--output", "a file other than those that are read"),
         ),
         (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
         (("swing.c3d",), ("swing.c3d", "clubface capture read")),

@@ -101,7 +101,7 @@ def test_values_of_an_energy():
 def test_an_energy_that_softens_is_warned_of():
     with pytest.warns(ImplausibleWarning, match="gains no more stress"):
         rubber(c10="4 MPa", c20="-0.9 MPa")
-    with pytest.warns(ImplausibleWarning, match="is no number"):
+    with pytest.warns(ImplausibleWarning, match="is not a number"):
         rubber("-mu/2*limit*log(1 - (I1-3)/limit)", mu="10 MPa", limit=0.7)
 
 

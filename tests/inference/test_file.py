@@ -176,7 +176,7 @@ def test_mistakes_are_one_message(clubface_, write, tmp_path):
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--prior", "elit"), "did you mean elite")
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--plot", "x.bmp"), "x.bmp")
     assert_mistake(clubface_("infer", source, "--club", "driver"), "--output is missing")
-    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "another file than")
+    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "a file other than")
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159"), '"159 mph"', "bare number is in m/s")
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159 m/s"), "within reach of the prior")
     assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is for one launch")

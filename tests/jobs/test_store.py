@@ -110,7 +110,7 @@ def test_a_folder_of_something_else_is_left_alone(folder, name):
     folder.mkdir()
     (folder / name).write_text("mine")
     for resume in (True, False):
-        with pytest.raises(FileError, match="no record of unfinished work"):
+        with pytest.raises(FileError, match="not a record of unfinished work"):
             Store(folder, {}, resume=resume)
     assert [each.name for each in folder.iterdir()] == [name]
 

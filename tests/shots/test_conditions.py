@@ -85,7 +85,7 @@ def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, cond
         ("[each for each in (1, 2)] == 3", "are known"),
         ("max(speed) > 3 mph", "are known"),
         ("2 ** 9999999 > 1", "cannot be combined so"),
-        ("smash == True", "no value of a shot"),
+        ("smash == True", "not a value of a shot"),
         ("smash >", "a condition on the shots, as in"),
         ("", "a condition on the shots, as in"),
         ("-" * 900 + "smash > 1", "a condition"),

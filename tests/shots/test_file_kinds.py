@@ -157,5 +157,5 @@ def test_text_under_the_name_of_a_spreadsheet_is_read_as_text(write, ending):
 
 def test_text_under_the_name_of_a_parquet_file_is_named_text(write):
     pytest.importorskip("pyarrow")
-    with pytest.raises(FileError, match=r"no Parquet.*\.csv"):
+    with pytest.raises(FileError, match=r"not a Parquet.*\.csv"):
         launch_monitor.read(write("club_speed_mph\n100\n", "shots.parquet"))

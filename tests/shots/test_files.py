@@ -452,7 +452,7 @@ def test_what_is_asked_for_must_exist():
         launch_monitor.read(path, format="trackmann")
     with pytest.raises(UnknownNameError, match="right, left"):
         launch_monitor.read(path, hand="Left")
-    with pytest.raises(FileError, match=r"this is no Garmin.*no row names the columns Carry Deviation Distance"):
+    with pytest.raises(FileError, match=r"this is not a Garmin.*no row names the columns Carry Deviation Distance"):
         launch_monitor.read(DATA / "other.csv", format="garmin")
     with pytest.raises(InputError, match="leave it out, since the mapping"):
         launch_monitor.read(path, format="garmin", mapping=DATA / "other.toml")

@@ -125,7 +125,7 @@ def test_a_line_with_a_quantity_that_nobody_knows_is_damaged(path):
 @pytest.mark.parametrize("content", [b"club,ball\n1,2\n", b"\x00\x01\n", b"PK\x03\x04", b"x"])
 def test_a_file_of_something_else_is_left_as_it_is(path, content):
     path.write_bytes(content)
-    with pytest.raises(FileError, match="no file of live shots"):
+    with pytest.raises(FileError, match="not a file of live shots"):
         opened(path)
     assert path.read_bytes() == content
 

@@ -482,7 +482,7 @@ def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
     [
         (None, "did not answer shot 1 within 0.3 s"),
         (b"", "closed the connection"),
-        (b"what?", "answered what is no answer"),
+        (b"what?", "sent an invalid answer"),
         (b'{"Message": "fine"}', "answered without a code"),
     ],
 )

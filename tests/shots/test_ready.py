@@ -72,7 +72,7 @@ def test_every_row_of_the_wrong_club_is_refused_or_noted(session):
 
 
 def test_a_condition_that_nothing_fulfils_and_values_that_are_none_are_refused(session):
-    with pytest.raises(InputError, match=r"some of the 4 shots fulfil"):
+    with pytest.raises(InputError, match=r"some of the 4 shots meet"):
         ready_shots(session, where="smash > 1.6")
     with pytest.raises(InputError, match="2 lack something"):
         ready_shots(session, where="toe > 1 m or high > 1 m")

@@ -88,7 +88,7 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
 
 def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
     monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 1.0)
-    with pytest.raises(LinkError, match=r"127.0.0.1:9 is no scheduler that answers"):
+    with pytest.raises(LinkError, match=r"127.0.0.1:9 is not a scheduler that answers"):
         studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
 
 
@@ -109,7 +109,7 @@ def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, sa
     heard = []
     threading.Thread(target=serve, daemon=True).start()
     begun = time.monotonic()
-    with server, pytest.raises(LinkError, match="is no scheduler that answers"):
+    with server, pytest.raises(LinkError, match="is not a scheduler that answers"):
         studies.run(squares(tmp_path), scheduler=f"tcp://127.0.0.1:{server.getsockname()[1]}")
     assert heard
     assert time.monotonic() - begun < 60.0  # it waited without end

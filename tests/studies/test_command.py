@@ -158,7 +158,7 @@ def test_a_mistake_in_the_file_is_told_and_nothing_is_written(study, tmp_path, o
         (("run", "{}", "--workers", "0"), ("--workers is 0",)),
         (("run", "{}", "--shard", "5/4"), ("--shard is '5/4'",)),
         (("run", "{}", "--workers", "2", "--scheduler", "localhost:1"), ("--workers", "leave it out")),
-        (("status", "{}"), ("nothing of this study is done yet",)),
+        (("status", "{}"), ("no part of this study is finished yet",)),
         (("join", "{}", "-o", "all.xls"), ("--output", ".parquet")),
         (("summary", "{}", "--plot", "all.gif"), ("--plot", ".png")),
     ],
@@ -181,5 +181,5 @@ def test_the_table_of_a_study_is_not_written_over(study, tmp_path):
         '[study]\ndesign = "table"\n[impact]\nclub = "driver"\noutputs = ["carry"]\n[sweep]\ntable = "drives.csv"\n'
     )
     study("run", path)
-    assert_mistake(study("join", path, "-o", table), "another file than those that are read")
+    assert_mistake(study("join", path, "-o", table), "a file other than those that are read")
     assert table.read_text() == "speed (mph)\n100\n"

@@ -200,12 +200,12 @@ def test_other_folders_are_left_alone(tmp_path):
     path, folder = squares(tmp_path), tmp_path / "photos"
     folder.mkdir()
     (folder / "one.jpg").write_text("precious")
-    with pytest.raises(FileError, match="no store of a study"):
+    with pytest.raises(FileError, match="not the store of a study"):
         studies.run(path, store=folder)
     assert [each.name for each in folder.iterdir()] == ["one.jpg"]
     with pytest.raises(FileError, match="holds no study"):
         studies.status(folder)
-    with pytest.raises(FileError, match="nothing of this study is done yet"):
+    with pytest.raises(FileError, match="no part of this study is finished yet"):
         studies.status(path)
 
 

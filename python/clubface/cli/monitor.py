@@ -198,7 +198,7 @@ def read(
     shown = show.Output.check(texts, read_files)
     output.check_target("--rejects", rejects, (".csv",), read_files)
     if shown.target is not None and rejects is not None and same_file(shown.target, rejects):
-        raise InputError("--rejects", rejects, "another file than the output")
+        raise InputError("--rejects", rejects, "a file other than the output")
     shots = read_shots(files, texts, _clubs(club or []), where=True)
     if shown.target is not None:
         shots.write(shown.target)

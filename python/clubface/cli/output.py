@@ -61,13 +61,13 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
         raise InputError(name, target, "a file, not a folder")
     for given in inputs:
         if given is not None and path.exists() and os.path.exists(given) and path.samefile(given):
-            raise InputError(name, target, "another file than those that are read")
+            raise InputError(name, target, "a file other than those that are read")
 
 
 def check_not_read(target: str | None) -> None:
     """Refuse ``--output`` that is a file which the command has read, such as a club that a study names."""
     if target is not None and place_of(target) in {each.place for each in recorded_files()}:
-        raise InputError("--output", target, "another file than those that are read")
+        raise InputError("--output", target, "a file other than those that are read")
 
 
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:

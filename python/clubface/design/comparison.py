@@ -492,7 +492,7 @@ def read_deliveries(
                 cells = chunk.texts([row])[0]
                 name = next((cells[place].strip() for place in naming), "") or f"{reader.counts} {line}"
                 if not name.isprintable():
-                    raise FileError(reader.path, line, f"the name {name!r} is no printable text")
+                    raise FileError(reader.path, line, f"the name {name!r} is not printable text")
                 if name in result:
                     raise FileError(reader.path, line, f"a row is called {name!r} already; give each another name")
                 result[name] = {

@@ -127,7 +127,7 @@ class Energy:
         unstable = core.fem_energy_instability(self.text, values)
         if unstable is not None:
             mode, stretch, undefined = unstable
-            what = "is no number" if undefined else "gains no more stress as it is stretched further"
+            what = "is not a number" if undefined else "gains no more stress as it is stretched further"
             warn_once(
                 f"the material of the energy {self.text!r} {what} at a stretch of {stretch:.3g} in {mode}, which hard "
                 "impacts may reach: its elements may then fail or fold; choose other constants, or a lower speed",

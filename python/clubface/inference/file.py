@@ -196,7 +196,7 @@ def infer_shots(
     if target.suffix.lower() != ".csv":
         raise InputError("output", str(output), "a file ending in .csv")
     if target.exists() and os.path.exists(shots.source) and target.samefile(shots.source):
-        raise FileError(str(target), None, "the output must be another file than the one that is read")
+        raise FileError(str(target), None, "the output must be a file other than the one that is read")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     rows = ShotRows(shots, **options)

@@ -25,7 +25,7 @@ from clubface.support.fingerprint import check_same, fingerprint, fingerprints
 __all__ = ["Finished", "Store", "prepare_parent", "read_record", "store_for", "unfinished_folder", "write_record"]
 
 RECORD, VALUES, PARTS, LOCK = "job.json", "values.jsonl", "parts", "lock"
-FOREIGN = "this is no record of unfinished work; move it away, or give another name"
+FOREIGN = "this is not a record of unfinished work; move it away, or give another name"
 DAMAGED = "this record of unfinished work is damaged"
 START_AGAIN = "start again without resuming"
 FLUSH_INTERVAL = 0.5

@@ -355,7 +355,7 @@ def _check_scheduler(address: str) -> None:
         kind = LoopRunner(asynchronous=False).run_sync(lambda: asyncio.wait_for(identity(), SCHEDULER_TIMEOUT + 1.0))
     except Exception as error:  # whatever an answer that is none is taken for
         reason = str(error).splitlines()[0] if str(error) else f"{SCHEDULER_TIMEOUT:.0f} s have passed"
-        raise LinkError(address, f"is no scheduler that answers: {reason}") from None
+        raise LinkError(address, f"is not a scheduler that answers: {reason}") from None
     if kind != "Scheduler":
         raise LinkError(address, f"is a {kind.lower()} of the cluster; give the address of its scheduler")
 

@@ -114,7 +114,7 @@ def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots,
     mask, undecided = match_shots(shots, condition)
     if not mask.any():
         remark = f"; {undecided} lack something on which it turns" if undecided else ""
-        raise InputError("where", condition, f"a condition that some of the {len(shots)} shots fulfil{remark}")
+        raise InputError("where", condition, f"a condition that some of the {len(shots)} shots meet{remark}")
     notes = [note("condition-fulfilled", fulfil=int(mask.sum()), shots=len(shots), condition=condition)]
     if undecided:
         notes.append(note("condition-undecided", undecided=undecided, shots=len(shots), condition=condition))
@@ -165,7 +165,7 @@ class _Reader:
                 number = self._number(only)
                 return number._replace(values=np.abs(number.values))
             case ast.Constant(value=bool() | None):
-                raise self._error(f"{node.value} is no value of a shot; compare with a number or a text")
+                raise self._error(f"{node.value} is not a value of a shot; compare with a number or a text")
             case ast.Constant(value=int() | float() as number):
                 return _Number(float(number), None, str(number))
             case ast.Constant(value=str() as text):
@@ -181,7 +181,7 @@ class _Reader:
     def _number(self, node: ast.expr) -> _Number:
         if isinstance(result := self.value(node), _Number):
             return result
-        raise self._error(f"{ast.unparse(node)} is no number")
+        raise self._error(f"{ast.unparse(node)} is not a number")
 
     def _truth(self, node: ast.expr) -> _Truth:
         if isinstance(result := self.value(node), _Truth):

@@ -195,7 +195,7 @@ class LiveShots:
             except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
                 damaged.append(number)
         if content and not self._shots and self._player == Player() and (damaged or torn[:1] != b"{"):
-            raise FileError(str(self.path), 1, "this is no file of live shots; give the name of a new one")
+            raise FileError(str(self.path), 1, "this is not a file of live shots; give the name of a new one")
         if torn:
             os.truncate(self.path, len(content) - len(torn))
         return damaged

@@ -110,7 +110,7 @@ class ValuesNotTaken:
         new = [each for each in message.impossible.items() if each not in self._reported]
         if new:
             values = ", ".join(f"{name} of {shown(name, value)}" for name, value in new)
-            yield f"{shot}: no shot can have {values}: taken as not measured"
+            yield f"{shot}: no shot can have {values}: treated as not measured"
         remarks = [each for each in message.notes if each not in self._reported]
         yield from (f"{shot}: {each}" for each in remarks)
         self._reported.update(new, remarks)

@@ -545,7 +545,7 @@ class Sender:
         received = []
         for answer in self._stream.feed(self._connection.receive(wait)):
             if isinstance(answer, Broken):
-                raise LinkError(self._connection.address, f"answered what is no answer: {answer.reason}")
+                raise LinkError(self._connection.address, f"sent an invalid answer: {answer.reason}")
             code = answer.get("Code")
             if isinstance(code, bool) or not isinstance(code, int):
                 raise LinkError(self._connection.address, "answered without a code")

@@ -510,10 +510,10 @@ def _check_paths(source: Path, target: Path, rejects_path: Path) -> None:
     is_parquet(target)
     for path, what in ((target, "output"), (rejects_path, "rejects")):
         if same_file(path, source):
-            raise FileError(str(path), None, f"the {what} must be another file than the one that is read")
+            raise FileError(str(path), None, f"the {what} must be a file other than the one that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
         if path.is_dir():
             raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
     if same_file(rejects_path, target):
-        raise FileError(str(rejects_path), None, "the rejects must go to another file than the output")
+        raise FileError(str(rejects_path), None, "the rejects must go to a file other than the output")

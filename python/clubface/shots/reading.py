@@ -285,7 +285,7 @@ def _session(
             message = f"no column is of a delivery or a launch, such as ball_speed_mph; {headings}"
             raise FileError(path, first[1], message)
         groups = " or ".join(", ".join(group) for group in layout.marks)
-        raise FileError(path, None, f"this is no {layout.title} file: no row names the columns {groups}")
+        raise FileError(path, None, f"this is not a {layout.title} file: no row names the columns {groups}")
     return session
 
 

@@ -136,7 +136,7 @@ def summaries_in(chunk: Chunk, columns: ColumnLayout) -> dict[int, str]:
     values = {each.quantity: chunk.numbers(each)[0] for each in columns.used if each.quantity != HAND}
     rows = summary_rows(labels, cells, values)
     words = {row: next(each[row] for each in texts.values() if _label(each[row])) for row in rows}
-    return {row: f"{word!r}: the row sums up others and is no shot" for row, word in words.items()}
+    return {row: f"{word!r}: the row sums up others and is not a shot" for row, word in words.items()}
 
 
 @lru_cache(maxsize=8192)

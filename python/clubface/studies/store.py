@@ -285,7 +285,9 @@ def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | No
     described = read_study(path)
     folder = Path(store) if store is not None else store_folder(path)
     if not folder.exists():
-        raise FileError(str(folder), None, f"nothing of this study is done yet; clubface study run {path} begins it")
+        raise FileError(
+            str(folder), None, f"no part of this study is finished yet; clubface study run {path} starts it"
+        )
     opened = open_folder(folder)
     opened.check(described)
     return opened
@@ -320,7 +322,7 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
     if not (folder / RECORD).exists():
         seen = [each.name for each in folder.iterdir() if each.name[0] != "."] if folder.is_dir() else []
         if folder.exists() and (not folder.is_dir() or not {*seen} <= {PARTS, INPUTS, HISTORIES}):
-            raise FileError(str(folder), None, "this is no store of a study; give another folder with --store")
+            raise FileError(str(folder), None, "this is not the store of a study; give another folder with --store")
         content = fingerprints(study.content())
         record = {"content": content, "name": study.name, "count": study.design.count, **describe()}
         prepared_folder(folder)

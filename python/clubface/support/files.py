@@ -450,7 +450,7 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
     """
     target = Path(os.path.realpath(path))
     if os.fspath(target) in {each.place for each in recorded_files()}:
-        raise FileError(os.fspath(path), None, "this must be another file than those that are read")
+        raise FileError(os.fspath(path), None, "this must be a file other than those that are read")
     try:
         mode = _mode_of(target, new)
         fresh = (folder or target.parent) / f".{target.stem[:100]}-{os.urandom(6).hex()}{target.suffix}"

@@ -161,7 +161,7 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
     path = tmp_path / "mine.json"
     path.write_text("{}")
     for resume in (True, False):
-        with pytest.raises(FileError, match="no record of unfinished work"):
+        with pytest.raises(FileError, match="not a record of unfinished work"):
             small(checkpoint=path, resume=resume)
     assert path.read_text() == "{}"
     with pytest.raises(FileError, match="there is no folder"):

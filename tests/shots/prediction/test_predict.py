@@ -259,12 +259,12 @@ def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, t
 
 def test_paths_that_cannot_be_are_refused(write, tmp_path):
     path = write(GOOD)
-    for output, words in ((path, "another file than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
+    for output, words in ((path, "a file other than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
                          (tmp_path / "out.xlsx", "must end in"), (tmp_path / "dir.csv", "is a folder")):  # fmt: skip
         (tmp_path / "dir.csv").mkdir(exist_ok=True)
         with pytest.raises(FileError, match=words):
             predict(path, club="driver", output=output)
-    with pytest.raises(FileError, match="another file than the output"):
+    with pytest.raises(FileError, match="a file other than the output"):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
     with pytest.raises(FileError, match="No such file"):
         predict(tmp_path / "none.csv", club="driver")

@@ -225,13 +225,13 @@ def test_a_file_or_folder_that_is_no_record_of_a_run_is_left_alone(write, tmp_pa
     mine = tmp_path / "out.csv.unfinished"
     mine.write_text("mine")
     for resume in (False, True):
-        with pytest.raises(FileError, match="no record of unfinished work"):
+        with pytest.raises(FileError, match="not a record of unfinished work"):
             predict(path, club="driver", output=output, resume=resume)
     assert mine.read_text() == "mine"
     mine.unlink()
     mine.mkdir()
     (mine / "diary.txt").write_text("mine")
-    with pytest.raises(FileError, match="no record of unfinished work"):
+    with pytest.raises(FileError, match="not a record of unfinished work"):
         predict(path, club="driver", output=output)
     assert (mine / "diary.txt").read_text() == "mine"
 

@@ -360,7 +360,9 @@ def point_masses(mesh: Mesh, unit: str) -> list[tuple[float, float, float, float
     whole = sum(each[3] for each in masses)
     sizes = {system.mass for system in (*SYSTEMS.get(unit, ()), SI) if MASSES[0] <= whole * system.mass <= MASSES[1]}
     if len(sizes) != 1:
-        message = f"its {len(masses)} point masses add up to {whole:g}, which is no mass of a head in any usual unit"
+        message = (
+            f"its {len(masses)} point masses add up to {whole:g}, which is not the mass of a head in any usual unit"
+        )
         raise mesh.error(f"{message}; remove them and give [[masses]]")
     (size,) = sizes
     mesh.notes.append(f"its {len(masses)} point masses, {units.show(whole * size, 'g')} in all, are added to the head")

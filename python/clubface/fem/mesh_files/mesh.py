@@ -154,7 +154,7 @@ class MeshBuilder:
         """Return a number of a node or an element."""
         text = text.strip()
         if not (text.isascii() and text.isdigit() and len(text) < 11 and int(text) <= LARGEST_NUMBER):
-            message = f"{shortened(text, 40)!r} is no number of {what}, a whole number up to {LARGEST_NUMBER}"
+            message = f"{shortened(text, 40)!r} is not a number of {what}, a whole number up to {LARGEST_NUMBER}"
             raise self.error(line, message)
         return int(text)
 
@@ -162,7 +162,7 @@ class MeshBuilder:
         """Return a number of a card, as ``what`` is called."""
         value = _as_float(text)
         if not math.isfinite(value):
-            raise self.error(line, f"{shortened(text.strip(), 40)!r} is no {what}, a finite number")
+            raise self.error(line, f"{shortened(text.strip(), 40)!r} is not a {what}, a finite number")
         return value
 
     def coordinate(self, line: int | None, given: str | float) -> float:
@@ -170,7 +170,7 @@ class MeshBuilder:
         value = _as_float(given)
         if not abs(value) <= FARTHEST:
             shown = shortened(str(given).strip(), 40)
-            raise self.error(line, f"{shown!r} is no coordinate of a head, a number within {FARTHEST:g}")
+            raise self.error(line, f"{shown!r} is not a coordinate of a head, a number within {FARTHEST:g}")
         return value
 
     @property

@@ -90,7 +90,7 @@ class StlReader(MeshBuilder):
             self._text(content.decode("utf-8", "replace").splitlines())
         else:
             stated = f"it says that it has {count} triangles, which are {size} bytes, and has {len(content)}"
-            raise self.error(None, f"this mesh cannot be read: {stated if count >= 0 else 'it is no STL'}")
+            raise self.error(None, f"this mesh cannot be read: {stated if count >= 0 else 'it is not STL'}")
         return self.mesh()
 
     def _text(self, lines: list[str]) -> None:

@@ -84,4 +84,4 @@ def _archived(path: Path) -> list[str]:
 
 
 def _refuse(path: Path, kind: str) -> None:
-    raise FileError(str(path), None, f"this is no table but {kind}")
+    raise FileError(str(path), None, f"this is not a table but {kind}")

@@ -54,7 +54,9 @@ class ParquetReader:
             start = source.read(START)
             if not start.startswith(b"PAR1"):
                 refuse_no_table(path, start)
-                raise FileError(self.path, None, "this is no Parquet file; the name of a text must end in .csv or .tsv")
+                raise FileError(
+                    self.path, None, "this is not a Parquet file; the name of a text must end in .csv or .tsv"
+                )
             source.seek(0)
             self._file = self._arrow.parquet.ParquetFile(source)
         except (OSError, ValueError, self._arrow.ArrowException) as error:

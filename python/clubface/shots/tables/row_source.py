@@ -204,7 +204,7 @@ class CsvRows:
         for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
             line += 1
             if len(raw) >= LONGEST_LINE:
-                message = f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is no table"
+                message = f"this line is longer than {LONGEST_LINE // 1_000_000} MB: it is not a table"
                 raise FileError(self.path, line, message)
             try:
                 text = raw.decode()
@@ -233,7 +233,7 @@ class CsvRows:
             message = f"the row that begins here is longer than {LONGEST_LINE // 1_000_000} MB"
         else:
             return
-        raise FileError(self.path, self._begins, f"{message}: this is no table of shots")
+        raise FileError(self.path, self._begins, f"{message}: this is not a table of shots")
 
     def next(self) -> Row | Reject | None:
         """Return the next row that is not blank and the line it begins at; one that is no CSV, all its text."""
