@@ -59,7 +59,9 @@ BLOCK = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 PICTURE = re.compile(r"figures/([\w-]+\.(?:svg|png))")
-HIDDEN = re.compile(r"^(```+|:::+).*?^\1 *$|^<!--.*?-->|\$\$.*?\$\$|`(?:[^`\n]|\n(?!\n))*`|\]\([^)\s]*\)", re.DOTALL | re.MULTILINE)
+HIDDEN = re.compile(
+    r"^(```+|:::+).*?^\1 *$|^<!--.*?-->|\$\$.*?\$\$|`(?:[^`\n]|\n(?!\n))*`|\]\([^)\s]*\)", re.DOTALL | re.MULTILINE
+)
 """What is no sentence: blocks, comments, formulas, code, and addresses of links."""
 NUMBER = r"[−+-]?\d+(?:[ ,\N{NARROW NO-BREAK SPACE}]\d{3}(?!\d))*(?:\.\d+)?(?:e-?\d+)?"
 UNITS = (

@@ -174,7 +174,7 @@ def test_a_mistake_is_one_message(clubface_, arguments, words):
     ("rows", "words"),
     [
         ("centre,100,0\nheel,100,-90\n", ["--toe of heel: ", "outside the face"]),
-        ('centre,100,0\n"a\nb",100,1\n', [":3: the name 'a\\nb' is no printable text"]),
+        ('centre,100,0\n"a\nb",100,1\n', [":3: the name 'a\\nb' is not printable text"]),
     ],
 )
 def test_a_row_that_cannot_be_struck_is_named(clubface_, write, rows, words):
