@@ -90,7 +90,7 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert result.spread[face] == pytest.approx(golfer("handicap-5-driver").spread[face], rel=0.4)
     assert clubface_("dispersion", str(mine), *FEW).status == 0
     estimate = ("golfer", "estimate", str(file), "--club", "driver")
-    assert_mistake(clubface_(*estimate, "--like", str(mine), "-o", str(mine)), "--output", "another file")
+    assert_mistake(clubface_(*estimate, "--like", str(mine), "-o", str(mine)), "--output", "file other than")
     assert_mistake(clubface_(*estimate, "--ball", "distance"), "--ball")
     written = clubface_("golfer", "show", str(mine), "-o", str(tmp_path / "other.toml"), "--json")
     assert written.json["values"]["name"] == "mine"

@@ -101,7 +101,7 @@ def test_resume_needs_a_file(clubface_, files):
 def test_the_head_to_start_from_is_not_written_over(clubface_, files):
     before = (files / "head.toml").read_bytes()
     assert_mistake(
-        clubface_("fem", "design", str(files / "study.toml"), "-o", str(files / "head.toml")), "another file"
+        clubface_("fem", "design", str(files / "study.toml"), "-o", str(files / "head.toml")), "file other than"
     )
     assert (files / "head.toml").read_bytes() == before
 

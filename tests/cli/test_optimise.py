@@ -168,11 +168,11 @@ def test_a_mistake_in_a_study_is_one_line_and_leaves_no_file(clubface_, study, t
 def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study, tmp_path):
     assert_mistake(clubface_("optimise", str(study), "--resume"), "--output")
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
-    assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "another file")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "file other than")
     mine, text = tmp_path / "mine.toml", study.read_text()
     mine.write_text(club("driver").to_toml())
     study.write_text(text.replace('club = "driver"', 'club = "mine.toml"'))
-    assert_mistake(clubface_("optimise", str(study), "-o", str(mine)), "another file")
+    assert_mistake(clubface_("optimise", str(study), "-o", str(mine)), "file other than")
     assert mine.read_text() == club("driver").to_toml()
     assert_mistake(clubface_("optimise", str(tmp_path / "none.toml")), "none.toml")
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")

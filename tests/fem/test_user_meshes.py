@@ -109,6 +109,5 @@ def test_a_section_of_the_wrong_length_is_named_with_its_line(tmp_path):
         for count in (result - 1, result + 1):
             changed = [*lines[:at], str(count), *lines[at + 1 :]]
             (tmp_path / "head.msh").write_text("\n".join(changed) + "\n")
-            message = f"head.msh:{at + 1}: this section says that it has {count} lines, and has {result}"
-            with pytest.raises(FileError, match=re.escape(message)):
+            with pytest.raises(FileError, match=rf"head\.msh:{at + 1}: .* {count} lines, .* {result}$"):
                 fem.head(tmp_path / "own.toml")
