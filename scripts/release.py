@@ -1,9 +1,9 @@
 """Check that a release is whole, and set its tag.
 
 ``python scripts/release.py 0.2.0`` compares the version of the crates, their lock file, the package, the citation file
-and the changelog, whose part "Unreleased" must be empty, wants a folder without uncommitted changes, and sets the
-annotated tag ``v0.2.0``. What disagrees is printed, with file and value, and the exit status is 1. ``--check`` sets no
-tag. A pushed tag makes the wheels: .github/workflows/wheels.yml.
+and the changelog, whose part "Unreleased" must be empty or missing, wants a folder without uncommitted changes, and
+sets the annotated tag ``v0.2.0``. What disagrees is printed, with file and value, and the exit status is 1. ``--check``
+sets no tag. A pushed tag makes the wheels: .github/workflows/wheels.yml.
 """
 
 from __future__ import annotations
@@ -50,10 +50,9 @@ def problems(root: Path, version: str) -> Iterator[str]:
         if stated != version:
             yield f"{place} states {stated}, not {version}"
     changes = (root / "CHANGELOG.md").read_text(encoding="utf-8")
-    unreleased, _, released = changes.partition("## Unreleased")[2].partition("\n## ")
-    if unreleased.strip():
+    if changes.partition("## Unreleased")[2].partition("\n## ")[0].strip():
         yield "CHANGELOG.md has changes under Unreleased; move them to the version"
-    dated = re.match(r"\S+ \((\d{4}-\d\d-\d\d)\)\n", released)
+    dated = re.search(r"^## \d\S* \((\d{4}-\d\d-\d\d)\)$", changes, re.MULTILINE)
     cited = re.search(r"^date-released: (\S+)$", (root / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
     dates = dated and dated[1], cited and cited[1]
     if None in dates or dates[0] != dates[1]:
