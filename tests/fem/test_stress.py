@@ -1,4 +1,4 @@
-"""The largest stress of a head in an impact: beside runs of metal that yields, and where it is small."""
+"""The largest stress of a head in an impact, compared with runs of metal that yields, and where it is small."""
 
 import hashlib
 import re
