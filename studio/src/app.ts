@@ -12,12 +12,12 @@ import { THEMES } from "./state/state";
 export function app(context: Context, scene: Scene | null): TemplateResult {
   const { hasOwnShots = false } = SCENES.find(({ name }) => name === context.state.scene) ?? {};
   return html`
-    <a class="skip" href="#main" @click=${skip}>To the shot</a>
+    <a class="skip" href="#main" @click=${skip}>Skip to the shot</a>
     ${header(context)} ${conditionsLine(context)} ${hasOwnShots ? nothing : usedClubLine(context)} ${notices(context)}
     <main id="main" tabindex="-1">${scene ? scene.view(context) : html`<p aria-busy="true">The scene is loading …</p>`}</main>
     <footer>
       <p>
-        clubface ${context.equipment.version}. The address holds the shot and all that is chosen: copy it to share or keep
+        clubface ${context.equipment.version}. The address of this page holds the shot and everything you chose: copy it to share or keep
         it.
       </p>
     </footer>

@@ -27,7 +27,7 @@ export function usedClubLine(context: Context): TemplateResult | typeof nothing 
             : nothing
         }.
       </span>
-      <button type="button" class="quiet" @click=${() => useClub(context, null)}>The club's own numbers</button>
+      <button type="button" class="quiet" @click=${() => useClub(context, null)}>Use the club's own numbers</button>
     </aside>
   `;
 }

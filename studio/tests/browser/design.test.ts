@@ -405,7 +405,7 @@ describe("the page", () => {
       "CG behind the face, slider",
       "Inertia, vertical, slider",
       "Save driver-changed.toml",
-      "Looked for",
+      "Objective",
     ])
       expect(reached).toContain(name);
     const sprung = await otherValue(page, "carry", before);

@@ -127,7 +127,7 @@ describe("the range", () => {
   test("a number of the flight says where it comes from, by keys", async () => {
     const { page, errors } = await openRange(`${FIRST}&wind=10mph`);
     await page.locator("[data-explains=landing_angle] button").press("Enter");
-    await page.getByRole("dialog").getByText("How sure it is").waitFor();
+    await page.getByRole("dialog").getByText("How certain it is").waitFor();
     expect(await violations(page)).toEqual([]);
     await page.keyboard.press("Escape");
     await page.getByRole("dialog").waitFor({ state: "detached" });

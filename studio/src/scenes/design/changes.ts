@@ -40,7 +40,7 @@ export function changesPanel(context: Context): TemplateResult {
         ${failure ? `This club cannot be computed. ${formatter.quantity(failure.input).label}: ${failure.message}.` : nothing}
       </p>
       ${design ? table(context, "The same strike", rows) : html`<p aria-busy="true">The shots are being computed …</p>`}
-      <p class="remark">A degree more loft on the club is taken to be a degree more at impact.</p>
+      <p class="remark">One degree more loft on the club is taken as one degree more at impact.</p>
       ${speedRemark(context)}
       <div class="choices">
         ${settingChoice(context, {
@@ -55,9 +55,9 @@ export function changesPanel(context: Context): TemplateResult {
       </div>
       ${averages(context)}
       <div class="steps">
-        <h3>A little more of each</h3>
+        <h3>What small changes do</h3>
         <ul class="chips">${AXES.map((each) => html`<li>${chip(context, each)}</li>`)}</ul>
-        <p class="remark">Computed by exact derivatives at this club and the same strike. Press a change to make it.</p>
+        <p class="remark">Computed from exact derivatives for this club and strike. Click a change to make it.</p>
       </div>
     </section>
   `;
@@ -93,7 +93,7 @@ function averages(context: Context): TemplateResult | typeof nothing {
   const spread = (name: string, label: string): Row =>
     both(label, name, ({ quantities }) => quantities[name].spread, true);
   const { title } = context.equipment.golfers[golfer];
-  const caption = `${title}: ${own.shots} shots scattered over the face, the same with both clubs`;
+  const caption = `${title}: ${own.shots} shots scattered over the face, the same for both clubs`;
   const lost = [own, designed].map(({ lost: missed, shots }) => context.formatter.format((100 * missed) / shots, 1));
   return html`
     ${table(context, caption, [

@@ -71,7 +71,7 @@ export async function readClub(text: string, equipment: Equipment, description: 
   } catch (error) {
     if (!(error instanceof TomlError)) throw error;
     const [why] = error.message.replace(/^Invalid TOML document: /, "").split("\n");
-    throw new Error(`line ${error.line} is no TOML: ${why}`);
+    throw new Error(`line ${error.line} is not valid TOML: ${why}`);
   }
   const { fields, keys, kinds } = equipment.club_file;
   const word = (key: string, known?: readonly string[]): string => {
@@ -84,9 +84,9 @@ export async function readClub(text: string, equipment: Equipment, description: 
   };
   const unknown = Object.keys(document).find((key) => !keys.includes(key));
   if (unknown !== undefined)
-    throw new Error(`${unknown} is no number of a club; files of meshed heads are not read here`);
+    throw new Error(`${unknown} is not a property of a club; files of meshed heads cannot be opened here`);
   if (document["cor"] !== undefined)
-    throw new Error("cor is given: the page takes characteristic_time, which “clubface club check FILE” prints");
+    throw new Error("cor is given, but this page needs characteristic_time; “clubface club check FILE” prints it");
   const kind = word("kind", kinds);
   const units = new Units(description);
   const amounts: ClubFile["amounts"] = {};

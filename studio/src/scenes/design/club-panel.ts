@@ -37,11 +37,11 @@ export function clubPanel(context: Context): TemplateResult {
         <button type="button" ?disabled=${!changed.length} @click=${back}>Back to the club</button>
       </p>
       <p class="remark">
-        ${isUsed ? "All scenes use this club and follow its sliders." : "“Use this club” strikes the shots of all scenes with it."}
+        ${isUsed ? "All scenes use this club and follow its sliders." : "“Use this club” uses it in all scenes."}
       </p>
       <ul class="legend" aria-label="Lines below the sliders">
         <li><i class="band rules"></i>within the rules</li>
-        <li><i class="band built"></i>can be built, all else as it is</li>
+        <li><i class="band built"></i>can be built, with everything else unchanged</li>
       </ul>
       <h3>Centre of gravity</h3>
       ${fields(CG)}
@@ -55,14 +55,13 @@ export function clubPanel(context: Context): TemplateResult {
       </details>
       <details ?open=${isOpen(OUTLINE)}>
         <summary>Outline of the face</summary>
-        <p class="remark">It only says which shots miss the face. No rule limits it.</p>
+        <p class="remark">It only decides which shots miss the face. No rule limits it.</p>
         ${fields(OUTLINE)}
       </details>
       <details ?open=${isOpen(SPACE)}>
         <summary>Space of the head</summary>
         <p class="remark">
-          Where mass may be, ${clubOf(context).space.origin}. The head is a shell, and its free mass lies anywhere in the
-          space.
+          Where mass can be placed: ${clubOf(context).space.origin}. The head is a shell, and its free mass can lie anywhere in this space.
         </p>
         ${fields(known)}
       </details>

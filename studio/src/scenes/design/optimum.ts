@@ -99,7 +99,7 @@ export function optimumPanel(context: Context): TemplateResult {
       <div class="choices">
         ${settingChoice(context, { name: "across", label: "Across", options: labels.filter(([name]) => name !== upwards.name) })}
         ${settingChoice(context, { name: "upwards", label: "Upwards", options: labels.filter(([name]) => name !== across.name) })}
-        ${settingChoice(context, { name: "best", label: "Looked for", options: objectives(context, isStrike) })}
+        ${settingChoice(context, { name: "best", label: "Objective", options: objectives(context, isStrike) })}
       </div>
       ${result?.failure ? html`<p class="failure" role="alert">The chart cannot be computed: ${result.failure}.</p>` : nothing}
       ${
@@ -202,7 +202,7 @@ function gradientWords(context: Context, optimum: Optimum): string {
     return `${join(formatter.format(step, 0), symbol, more)}: ${change}`;
   });
   const origin = optimum.slopes ? "differences over the same shots" : "exact derivatives";
-  return `What a little more does from here, by ${origin}: ${steps.join("; ")}.`;
+  return `Effect of a small change from here, by ${origin}: ${steps.join("; ")}.`;
 }
 
 const ROWS = 5;
@@ -217,7 +217,7 @@ function table(context: Context, optimum: Optimum): TemplateResult {
     <summary>The chart as a table</summary>
     <div class="scroll" tabindex="0" role="region" aria-label="The chart as a table">
       <table>
-        <caption>${objectiveLabel(context, objective)}, ${unit}; in brackets what breaks a rule or cannot be built</caption>
+        <caption>${objectiveLabel(context, objective)}, ${unit}; values in brackets break a rule or cannot be built</caption>
         <thead>
           <tr>
             <th scope="col">${variableNamed(axes[1].name).label} \\ ${variableNamed(axes[0].name).label}</th>

@@ -42,11 +42,11 @@ export function verdictPanel(context: Context): TemplateResult {
       <details>
         <summary>What “can be built” means</summary>
         <p>
-          Mass, CG and inertia must be those of mass that is nowhere negative and has room in the head (Wensing, Kim and
-          Slotine, 2018): of the head as a whole, and of its free mass without the shell. The shell is that of the club with
-          its own numbers, made lighter evenly. The box is ${clubOf(context).space.origin}; it refuses no head that fits into
-          it, and it is generous where a head is round. Walls, welds and what a face withstands are not in it: for those
-          <code>clubface</code> designs heads of shells by finite elements.
+          Mass, CG and inertia must belong to mass that is nowhere negative and fits into the head (Wensing, Kim and
+          Slotine, 2018). This holds for the head as a whole, and for its free mass without the shell. The shell is that of the
+          original club, made evenly lighter. The box is ${clubOf(context).space.origin}. It accepts every head that fits into
+          it, and it is generous where a head is round. Walls, welds and the strength of the face are not considered here;
+          <code>clubface</code> designs those by finite elements.
         </p>
         ${limits ? marginTable(context, limits.margins, limits.rounding) : ""}
       </details>
@@ -86,7 +86,7 @@ function ruleRow(
 function marginTable({ formatter }: Context, margins: Margin[], rounding: number): TemplateResult {
   const names = [...new Set(margins.map(({ name }) => name))];
   return html`<table>
-    <caption>Margins: what is left of each condition, in parts of the mass; below 0 no such head exists</caption>
+    <caption>Margin of each condition, as a fraction of the mass; below 0 no such head exists</caption>
     <tbody>
       ${names.map((name) => {
         const least = worst(margins.filter((each) => each.name === name));

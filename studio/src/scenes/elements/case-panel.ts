@@ -78,8 +78,8 @@ export function casePanel(context: Context, cases: ShownCase[]): TemplateResult 
         )}
       </p>
       <p class="remark">
-        The rest of the strike is that of the shot. A head is rigid, or deforms; a plane is rigid and at rest, and loft is
-        then the angle between the path of the ball and the normal.
+        Everything else about the strike is that of the Shot scene. A head is rigid or deforms. A plane is rigid and at rest;
+        loft is then the angle between the ball's path and the normal of the plane.
       </p>
     </section>
   `;
@@ -87,7 +87,7 @@ export function casePanel(context: Context, cases: ShownCase[]): TemplateResult 
 
 function secondFields(context: Context, second: ShownCase): TemplateResult {
   const { equipment } = context;
-  const same: readonly [string, string] = [SECOND_SAME, "as the first"];
+  const same: readonly [string, string] = [SECOND_SAME, "same as the first"];
   const balls = Object.keys(equipment.elements.balls).map((name) => [name, equipment.balls[name].label] as const);
   const faces = facesOf(equipment).map((name) => [name, faceLabel(context, name)] as const);
   const own = (name: string, input: string): Field => ({
@@ -101,9 +101,9 @@ function secondFields(context: Context, second: ShownCase): TemplateResult {
       ${settingChoice(context, { name: "second_against", label: "The ball meets, second", options: [same, ...faces] })}
       ${settingChoice(context, { name: "second_ball", label: "Ball, second", options: [same, ...balls] })}
     </div>
-    ${ownField(context, own("second_speed", "speed"), "speed", second.setup.speed, "as the first")}
-    ${ownField(context, own("second_loft", "loft"), "loft", second.setup.loft, "as the first")}
-    ${frictionField(context, "second_friction", "Friction, second", second.setup, "as the first, or that of the ball")}
+    ${ownField(context, own("second_speed", "speed"), "speed", second.setup.speed, "same as the first")}
+    ${ownField(context, own("second_loft", "loft"), "loft", second.setup.loft, "same as the first")}
+    ${frictionField(context, "second_friction", "Friction, second", second.setup, "same as the first, or that of the ball")}
     ${status(context, second)}
   `;
 }
@@ -167,7 +167,7 @@ function inWords(context: Context, shown: ShownCase, progress: Progress): string
     case "impossible":
       return problem ? `This case cannot be computed: ${problem}.` : withBalls(context, shown.setup);
     case "stopped":
-      return shown.isCurrent ? "Stopped: this is the coarse mesh." : "Stopped: what is shown is the case before.";
+      return shown.isCurrent ? "Stopped: this is the coarse mesh." : "Stopped: the previous case is shown.";
     case "failed":
       return `This case cannot be computed: ${progress.why}.`;
     case "going":
@@ -179,7 +179,7 @@ function inWords(context: Context, shown: ShownCase, progress: Progress): string
       const seconds = context.formatter.text("wall", impact.summary.wall, context.state.system);
       const stopped = impact.summary.stopped ? ` The run ended early: ${impact.summary.stopped}.` : "";
       const edge = impact.summary.over_edge
-        ? " The ball reached round the edge of the face, where contact ends: its launch is in doubt."
+        ? " The ball reached the edge of the face, where contact ends, so its launch is uncertain."
         : "";
       return `${elementCount(context, shown)} elements, ${impact.summary.steps} steps in ${seconds}.${stopped}${edge}`;
     }
@@ -189,7 +189,7 @@ function inWords(context: Context, shown: ShownCase, progress: Progress): string
 /** Says that a ball has no pieces, and offers those that have. */
 function withBalls({ actions, equipment }: Context, { ball }: Setup): TemplateResult {
   const label = equipment.balls[ball]?.label ?? ball;
-  return html`The pieces of the ball ${label} are not known, so that it cannot be meshed. Choose another:
+  return html`The layers of the ball ${label} are not known, so it cannot be meshed. Choose another:
     ${Object.keys(equipment.elements.balls).map(
       (name) =>
         html`<button type="button" class="quiet" @click=${() => actions.change({ kind: "ball", ball: name })}>${equipment.balls[name].label}</button> `,

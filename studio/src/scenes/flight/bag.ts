@@ -21,9 +21,9 @@ export function bagPanel(context: Context): TemplateResult {
     <section aria-labelledby="bag">
       <h2 id="bag">Gaps between the clubs</h2>
       <p>
-        Every club as the tour delivers it: the tour's attack angle and dynamic loft, square and centred, at the speed
-        that goes with a driver at ${driven}. A club without a tour average is delivered like the nearest one that has
-        one, with as much more loft as it has. Change the speed of the club, and all of them change.
+        Every club is delivered as on tour, with the tour's attack angle and dynamic loft, square and centred, at the speed
+        that goes with a driver speed of ${driven}. A club without a tour average is delivered like the nearest club that has
+        one, and its loft differs by as much as the clubs' lofts do. If you change the club speed, all clubs change with it.
       </p>
       ${gapTable(context)}
       <details>

@@ -33,7 +33,7 @@ export function conditionsPanel(context: Context): TemplateResult {
     <section aria-labelledby="conditions">
       <h2 id="conditions">Wind, air and ground</h2>
       <div class="wind">${compass(context)}<div>${field("wind")} ${field("wind_from")}</div></div>
-      ${field("altitude", isPressureGiven ? "does not count, since the pressure is given" : undefined)}
+      ${field("altitude", isPressureGiven ? "not used, because a pressure is given" : undefined)}
       ${field("temperature")} ${field("humidity")}
       <details ?open=${isPressureGiven}>
         <summary>A measured pressure instead of the altitude</summary>
@@ -54,7 +54,7 @@ function airInWords({ model, state, formatter }: Context): TemplateResult {
   const air = outputOf(model, "air");
   const text = (name: string): string => (air ? formatter.text(name, air[name], state.system) : "…");
   return html`Pressure <span data-air="pressure">${text("pressure")}</span>, density of the air
-    <span data-air="density">${text("air_density")}</span>. These conditions hold in every scene.`;
+    <span data-air="density">${text("air_density")}</span>. These conditions apply in every scene.`;
 }
 
 /** The wind as an arrow seen from above: the target is up. */

@@ -43,10 +43,10 @@ export function golferPanel(context: Context): TemplateResult {
         ${
           isOwn
             ? html`The mean delivery is this golfer's own.`
-            : html`The golfer's scatter about the delivery that the sliders set.
+            : html`The golfer's scatter about the delivery set by the sliders.
                 <button type="button" class="quiet" @click=${() => takeGolfer(context, name)}>The golfer's own delivery</button>`
         }
-        ${COUNT} shots; the first ${DRAWN} are drawn, with the ellipses that hold 50% and 90% of them.
+        ${COUNT} shots; the first ${DRAWN} are drawn, with the ellipses that contain 50% and 90% of them.
       </p>
       ${shots ? results(context, shots) : html`<p aria-busy="true">The shots are being computed …</p>`}
       <details>

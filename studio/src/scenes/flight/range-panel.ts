@@ -57,7 +57,9 @@ export function rangePanel(context: Context): TemplateResult {
 function legend(context: Context): string {
   const { formatter, state } = context;
   const names =
-    choiceSetting(context, "flying") === "clubs" ? "Names without room are left out; the table has them all. " : "";
+    choiceSetting(context, "flying") === "clubs"
+      ? "Names that do not fit are left out; the table lists them all. "
+      : "";
   const symbol = formatter.units.symbol(formatter.reading("carry", state.system).unit);
   return (
     `The lines are ${STEP} ${symbol} apart; the thin line after the landing is bounce and roll. ${names}Drag or use the ` +

@@ -75,7 +75,7 @@ function golferChoice(context: Context): TemplateResult {
 function costs(context: Context, { summary, failure }: FaceValues, club: string, isNamed: boolean): TemplateResult {
   const { forgiveness } = summary;
   if (!forgiveness)
-    return html`<p class="mistake" role="alert">${club}: ${failure ? "the impact point is not on the face, or the spread is wider than it" : "no shot"}.</p>`;
+    return html`<p class="mistake" role="alert">${club}: ${failure ? "the impact point is not on the face, or the spread is wider than the face" : "no shot"}.</p>`;
   const rest = summary.quantities.filter((name) => !LISTED.includes(name));
   return html`
     ${table(context, summary, isNamed ? `${club}: what the scatter costs` : "What the scatter costs", LISTED)}
@@ -107,7 +107,7 @@ function table(
           <th scope="col">Quantity</th>
           <th scope="col" title="over all impacts that hit the face">On average</th>
           <th scope="col" title="standard deviation from impact to impact">Spread ±</th>
-          <th scope="col" title="mean of all strikes less the value of a strike at the impact point">
+          <th scope="col" title="mean over all strikes minus the value of a strike at the impact point">
             Change by the scatter
           </th>
         </tr>

@@ -33,7 +33,7 @@ export function mapPanel(context: Context): TemplateResult {
         })}
         ${settingChoice(context, {
           name: "map_minus",
-          label: "Less the map of",
+          label: "Minus the map of",
           options: [
             [NO_CLUB, "no other club"],
             ...Object.entries(equipment.clubs)

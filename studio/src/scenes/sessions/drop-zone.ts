@@ -32,7 +32,7 @@ export function dropZone(context: Context): TemplateResult {
           <span>Choose a file, or drop it here</span>
           <input type="file" name="session" @change=${(event: Event) => chosen(context, event)} />
         </label>
-        <small>CSV or Excel, of any monitor; or a fitting or study of clubface optimise (TOML). Your file stays on this machine.</small>
+        <small>CSV or Excel from any launch monitor, or a fitting or study for clubface optimise (TOML). Your file stays on this machine.</small>
       </p>
       ${offers.state === "there" ? reading(context, offers.value) : nothing}
       <div role="status">
@@ -67,7 +67,7 @@ function reading(context: Context, offers: Offers): TemplateResult {
     });
   return html`
     <details ?open=${file.state === "refused"}>
-      <summary>Units, hand and layout, where the file does not name them</summary>
+      <summary>Units, hand and layout, if the file does not give them</summary>
       <div class="reading">
         ${Object.entries(UNITS).map(([name, [label, units]]) => list(name, label, units))}
         ${list("hand", "Hand", ["right", "left"])} ${list("format", "Layout", offers.formats)}
@@ -95,6 +95,6 @@ function dropped(context: Context, event: DragEvent): void {
   left(event);
   const files = event.dataTransfer?.files;
   if (!files?.length) return;
-  if (files.length > 1) context.actions.notice("One file at a time is read: the first one was taken.");
+  if (files.length > 1) context.actions.notice("Only one file can be read at a time; the first one was used.");
   readFile(context, files[0]);
 }

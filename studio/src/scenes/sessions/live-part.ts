@@ -31,8 +31,8 @@ export function livePart(context: Context): TemplateResult {
   if (!live)
     return html`<section>
       <p class="remark">
-        <code>clubface studio --live shots.jsonl</code> takes the shots of launch monitors that speak GSPro Open Connect,
-        OpenGolfSim or Flight Relay, and keeps all of them in the file.
+        <code>clubface studio --live shots.jsonl</code> receives shots from launch monitors that use
+          GSPro Open Connect, OpenGolfSim or Flight Relay, and saves all of them in the file.
       </p>
     </section>`;
   const rows = rowsOf(live, context.formatter.units);
@@ -122,7 +122,7 @@ const remarks = ({ state }: Live): TemplateResult | typeof nothing =>
         <ul class="links">
           ${state.links.map(({ protocol, address, problem }) => html`<li>${NAMES[protocol] ?? protocol}: ${problem || address}</li>`)}
         </ul>
-        <p class="remark">All shots are kept in ${state.file}.</p>
+        <p class="remark">All shots are saved in ${state.file}.</p>
         ${
           state.remarks.length
             ? html`<details>

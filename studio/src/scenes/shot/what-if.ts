@@ -15,7 +15,7 @@ export function whatIfPanel(context: Context): TemplateResult {
       <ul class="chips">
         ${[...MAIN, ...IMPACT_POINT].map((name) => html`<li>${chip(context, name)}</li>`)}
       </ul>
-      <p class="remark">Computed by exact derivatives at this delivery. Press a change to make it.</p>
+      <p class="remark">Computed from exact derivatives at this delivery. Click a change to make it.</p>
     </section>
   `;
 }

@@ -44,10 +44,10 @@ export const descent: Lesson = {
         <p>
           Backspin comes from the angle between the way the head moves and the way the face points: the spin loft, now
           ${result.number("loft", loft - attack)}. Hit ${result.difference("attack", FURTHER, ["further down", "up"])} with the same
-          loft and the angle opens: the ball spins ${result.difference("backspin", more, ["less", "more"])}. But whoever hits
-          down usually has the hands ahead, and that takes loft off the club. If both turn by as much, it is the same strike aimed
-          lower: same spin loft, same spin, lower launch. So it is not the ground, and no pinching of the ball, that makes the
-          spin.
+          loft and the angle opens: the ball spins ${result.difference("backspin", more, ["less", "more"])}. But a golfer who hits
+          down usually has the hands ahead, and that takes loft off the club. If both angles change by the same amount, it is the
+          same strike aimed lower: same spin loft, same spin, lower launch. So the spin does not come from the ground, nor from
+          pinching the ball against it.
         </p>`,
       pictures: [
         anglesPicture(result, { attack, loft, launch: values.launch }),
@@ -60,7 +60,7 @@ export const descent: Lesson = {
           mark: attack,
         }),
       ],
-      question: html`Hit ${result.number("attack", DOWN)} or more and keep the spin that you began with,
+      question: html`Hit ${result.number("attack", DOWN)} or more and keep the spin you started with,
       ${result.number("backspin", start)}, to within ${result.number("backspin", NEAR)}. How much loft must you take off?`,
       now: html`Attack ${result.number("attack", attack)}, loft ${result.number("loft", loft)}: ${result.number("backspin", values.backspin)},
       launched ${result.number("launch", values.launch)}.`,

@@ -68,12 +68,12 @@ export const monitors: Lesson = {
         <p>
           A radar follows the middle of the head, a camera its face. A face that closes swings its centre to the left: at
           ${result.size("closure", closure)} the camera sees a path of ${result.number("path", facePath)}, the radar
-          ${result.number("path", delivery.path)}. The radar's loft is that of the point struck, computed from the ball as if a
-          rigid one had rolled off: ${result.number("loft", computedLoft)}, where the middle of the face had
-          ${result.number("loft", delivery.loft)}. One carry is that of the day, ${result.number("carry", today)} at
-          ${result.number("temperature", result.at("monitors_temperature"))}, the other is normalised: ${result.number("carry", normal)}
-          at ${result.number("temperature", usual)}. Spin is measured by some and estimated by others. Ask what a number is of
-          before you compare it.
+          ${result.number("path", delivery.path)}. The radar's loft is that of the impact point, computed from the ball as if a
+          rigid ball had rolled off the face: ${result.number("loft", computedLoft)}, while the middle of the face had
+          ${result.number("loft", delivery.loft)}. One carry is for the conditions of the day, ${result.number("carry", today)} at
+          ${result.number("temperature", result.at("monitors_temperature"))}; the other is normalised to
+          ${result.number("temperature", usual)}: ${result.number("carry", normal)}. Some monitors measure spin, others estimate it.
+          Before you compare two numbers, ask what each one measures.
         </p>`,
       pictures: [
         twoPathsPicture(result, { mass: delivery.path, face: facePath, closure }),
@@ -83,9 +83,9 @@ export const monitors: Lesson = {
             quantity: "loft",
             radar: computedLoft,
             camera: delivery.loft,
-            why: "of the point struck, from the ball; or of the middle of the face",
+            why: "at the impact point, computed from the ball; or at the middle of the face",
           },
-          { quantity: "carry", radar: normal, camera: today, why: "normalised, or of the day" },
+          { quantity: "carry", radar: normal, camera: today, why: "normalised, or for the conditions of the day" },
         ]),
       ],
       question: html`The radar says that the path is ${result.number("path", delivery.path)}, the camera that it is

@@ -99,13 +99,12 @@ export const rules: Lesson = {
           mark: TOE,
         }),
       ],
-      question: html`Struck ${result.towards(TOE)}, gain ${result.difference("carry", GAIN, ["shorter", "of carry"])} on the
-      head that you began with, and break no rule.`,
+      question: html`Struck ${result.towards(TOE)}, gain ${result.difference("carry", GAIN, ["shorter", "of carry"])} over the head you started with, without breaking a rule.`,
       now: html`It carries ${result.number("carry", result.value("now", "carry"))}, a difference of
       ${result.difference("carry", gained, ["less", "more"])}, and the head ${fits ? "conforms" : "does not conform"}.`,
       isSolved: fits && gained >= GAIN,
       answer: html`It takes both: at ${result.number("characteristic_time", most.characteristic_time)} and
-      ${result.number("iyy", most.iyy)}, the most that passes, the gain is greatest; neither alone is enough.`,
+      ${result.number("iyy", most.iyy)}, the highest values that conform, the gain is greatest; neither alone is enough.`,
       sources: [all.characteristic_time.source, all.moment_of_inertia.source],
     };
   },

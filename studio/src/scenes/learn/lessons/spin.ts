@@ -87,8 +87,7 @@ export const spin: Lesson = {
           ${courseOfSpin(result)}The more grip, the more is stretched and taken back, so that more friction can mean less spin.
         </p>
         <p>
-          The pictures are by the contact model ${result.model("rings")}. A model of one impulse knows no history over time,
-          but by ${result.model("response")} the spin falls in the same way.
+          The pictures are by the contact model ${result.model("rings")}. An impulse model has no history over time, but by ${result.model("response")} the spin falls in the same way.
         </p>`,
       pictures: [
         chartFrame(result.context, {
@@ -114,7 +113,7 @@ export const spin: Lesson = {
           mark: friction,
         }),
       ],
-      question: html`At which friction does this drive spin most? Take grip away until you are there.`,
+      question: html`At which friction does this drive spin most? Reduce the friction until you find it.`,
       now: html`Friction ${result.number("friction", friction)}: the ball leaves with ${result.number("backspin", now)}.`,
       isSolved: now >= NEAR * most,
       answer: html`At about ${result.number("friction", best)}, with ${result.number("backspin", most)} by

@@ -57,8 +57,7 @@ export const wet: Lesson = {
         <p>
           Of 62 balls that a robot struck, those with urethane covers started
           ${result.number("launch", rows.urethane[0])} with ${result.number("backspin", rows.urethane[1])}, and two that slid
-          ${result.number("launch", rows["two that slide"][0])} with ${result.number("backspin", rows["two that slide"][1])}. How low
-          the friction of a wet face is was not found in print, and no model here has grooves.
+          ${result.number("launch", rows["two that slide"][0])} with ${result.number("backspin", rows["two that slide"][1])}. No published friction of a wet face was found, and no model here has grooves.
         </p>`,
       pictures: [
         anglesPicture(result, {

@@ -27,7 +27,7 @@ export function certaintyOf(context: Context, name: string): TemplateResult {
   ];
   if (!all.some(({ certainty }) => certainty !== ANOTHER_MODEL))
     return html`
-      <p><b>No measurement stands behind this number</b> for ${kind} by the model ${modelName(context, state.model)}.</p>
+      <p><b>No measurement supports this number</b> for ${kind} by the model ${modelName(context, state.model)}.</p>
       ${all.length ? html`<p>Another model gives something to compare with, which proves nothing:</p>${list(context, all)}` : nothing}
     `;
   return html`

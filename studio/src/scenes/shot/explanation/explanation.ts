@@ -1,4 +1,4 @@
-/** One number: what it means, its equation with the values of this shot, what makes it, and how sure it is. */
+/** One number: what it means, its equation with the values of this shot, what makes it, and how certain it is. */
 
 import { html, nothing, type TemplateResult } from "lit-html";
 import fontLicense from "../../../../../docs/_static/fonts/stix-two-math-license.txt?url";
@@ -33,7 +33,7 @@ export const numberButton = (context: Context, name: string, content: unknown): 
     class="number"
     aria-haspopup="dialog"
     aria-expanded=${explained(context) === name ? "true" : "false"}
-    title="What it means, its equation, and how sure it is"
+    title="What it means, its equation, and how certain it is"
     @click=${() => explain(context, name)}
   >
     ${content}
@@ -68,7 +68,7 @@ export function explanation(context: Context): TemplateResult | typeof nothing {
       <p>${sentence(meaning)} ${sign ? sentence(sign) : nothing}</p>
       ${Number.isFinite(value) ? equations(context, name, value) : nothing} ${isFlown ? ofFlight(context, name) : nothing}
       ${contributionsTable(context, name)}
-      <h4>How sure it is</h4>
+      <h4>How certain it is</h4>
       ${certaintyOf(context, name)} ${isFlown ? nothing : ofImpact(context)}
       ${
         sources.length
