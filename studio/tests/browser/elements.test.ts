@@ -249,7 +249,7 @@ describe("what goes wrong", () => {
 
   test("says why: a ball without pieces, values out of their limits, a strike off the face", async () => {
     const { page, errors } = await studio.open(`${COARSE}&ball=published`, ".status[data-status='impossible']");
-    await page.getByRole("alert").getByText("The pieces of the ball of the published models are not known").waitFor();
+    await page.getByRole("alert").getByText("The layers of the ball of the published models").waitFor();
     await page.getByRole("button", { name: "modern", exact: true }).click();
     await page.locator(DONE).waitFor();
     const friction = page.getByRole("textbox", { name: "Friction", exact: true });
