@@ -23,7 +23,7 @@ from clubface.design import shells
 from clubface.design.shells.engine import FastModel
 from clubface.equipment.clubs import Club
 from clubface.errors import MeshWarning, RangeWarning
-from clubface.fem import accuracy, head_tests, paper, reduced, stress, sweep
+from clubface.fem import head_tests, paper, reduced, stress, sweep
 from clubface.fem.case import case
 from clubface.fem.heads import Group, MeshHead
 from clubface.fem.heads.read import from_toml
@@ -266,8 +266,8 @@ THIRDS = (2, 3, 4, 5, 6, 9)
 
 def meshes() -> None:
     """The reference case on other meshes."""
-    for ball in accuracy.meshes(fem.ball("reference"), THIRDS):
-        row = accuracy.mesh_row(fem.reference(ball=ball, settings=END))
+    for ball in paper.meshes(fem.ball("reference"), THIRDS):
+        row = paper.mesh_row(fem.reference(ball=ball, settings=END))
         print_figures(f"{row['elements']:.0f} elements", **row)
 
 
@@ -309,7 +309,7 @@ def heads() -> None:
 
 def finer_strikers() -> None:
     """Characteristic time by the striker, and by one with a mesh twice as fine."""
-    (finer,) = accuracy.meshes(head_tests.striker(), (6,))
+    (finer,) = paper.meshes(head_tests.striker(), (6,))
     for name in ("paper", "7-iron"):
         head = fem.head(name)
         usual = head_tests.characteristic_time(head)
@@ -488,7 +488,7 @@ def openradioss() -> None:
     }
     for name, run in runs.items():
         if name.startswith("plane"):
-            row = accuracy.mesh_row(run)
+            row = paper.mesh_row(run)
             launch = {key: row[key] for key in ("ball_speed_mps", "angle_deg", "backspin_rpm")}
         else:
             outcome = run.outcome()
@@ -605,7 +605,7 @@ def area_terms() -> None:
             moved = {f"moved_{key}_mm": value * 1e3 for key, value in displaced_centre(impact)._asdict().items()}
             figures = area_figures(impact, reduced.area_term(impact))
             print_figures(f"reference, {friction:g}, {angle:g}°", **figures, **moved)
-    (fine,) = accuracy.meshes(fem.ball("reference"), (6,))
+    (fine,) = paper.meshes(fem.ball("reference"), (6,))
     impact = fem.reference(ball=fine, settings=END)
     print_figures("reference, 76032 elements", **area_figures(impact, reduced.area_term(impact)))
 
@@ -661,7 +661,7 @@ def main() -> None:
         figures = compute(section)
         if section == "meshes":
             rows = [{"thirds": thirds, **row} for thirds, row in zip(THIRDS, figures.values(), strict=True)]
-            accuracy.STORED.write_text(json.dumps({"commit": source, "rows": rows}, indent=1) + "\n", encoding="utf-8")
+            paper.STORED.write_text(json.dumps({"commit": source, "rows": rows}, indent=1) + "\n", encoding="utf-8")
         kept = json.loads(STORED.read_text(encoding="utf-8")) if STORED.is_file() else {}
         kept[section] = {"commit": source, "figures": figures}
         ordered = {name: kept[name] for name in SECTIONS if name in kept}

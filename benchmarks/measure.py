@@ -27,7 +27,7 @@ import numpy as np
 import clubface
 from clubface import _core, fem, studies
 from clubface.errors import RangeWarning
-from clubface.fem.accuracy import meshes
+from clubface.fem.paper import meshes
 from clubface.fem.run import case
 from clubface.validation import benchmark_data
 

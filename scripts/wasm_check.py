@@ -14,8 +14,7 @@ import numpy as np
 
 import clubface
 from clubface import _core
-from clubface.design.feasibility import Envelope, Margin, of_club, pseudo_inertia
-from clubface.design.spaces import usual_space
+from clubface.design.feasibility import Envelope, Margin, of_club, pseudo_inertia, usual_space
 from clubface.design.strokes import AT_REST, as_lists
 from clubface.fem.run import case
 from clubface.simulation.shot_shape import shot_shape

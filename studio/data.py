@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from certainty import Numbered, certainty_data, kind_of
+from clubface.design.spaces import QUANTITIES as SIZES, usual_space
 from equations import equations_data
 from lesson_figures import lesson_figures
 from titles import ball_title, club_title, set_title
@@ -27,7 +28,6 @@ from clubface.design.face_surface import outline_of
 from clubface.design.golfer import MIRRORED, Golfer, golfer
 from clubface.design.optimisation.landings import SPEED_EXPONENT
 from clubface.design.optimisation.study import RULED
-from clubface.design.spaces import QUANTITIES as SIZES, usual_space
 from clubface.design.strokes import AT_REST, FAIRWAY_WIDTH, GREEN_RADIUS, ROUGH_WIDTH, as_lists
 from clubface.equipment.balls import DEFAULT_BALL, FRICTION_LIMITS, Ball, ball
 from clubface.equipment.clubs import CLUB_PROPERTIES, KINDS, Club, club

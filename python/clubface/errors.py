@@ -10,9 +10,31 @@ from collections.abc import Iterable
 
 __all__ = [
     "AssumptionWarning", "CaptureWarning", "ClubfaceError", "EdgeWarning", "FileError", "ImplausibleWarning",
-    "InputError", "LinkError", "MeshWarning", "RangeWarning", "RuleWarning", "RunError", "ShotError", "TargetWarning",
-    "UnitError", "UnknownNameError", "Wording",
+    "InputError", "LinkError", "MeshWarning", "RangeWarning", "RuleWarning", "RunError", "ShotError",
+    "TargetWarning", "UnitError", "UnknownNameError", "Wording",
 ]  # fmt: skip
+
+
+EXTRAS = {
+    "matplotlib": "plots",
+    "pandas": "tables",
+    "xarray": "tables",
+    "pyarrow": "tables",
+    "openpyxl": "excel",
+    "meshlane": "fem",
+    "ezc3d": "capture",
+    "pymoo": "fit",
+    "scipy": "fit",
+    "distributed": "cluster",
+    "dask": "cluster",
+    "starlette": "studio",
+    "uvicorn": "studio",
+    "websockets": "studio",
+    "jax": "jax",
+    "torch": "torch",
+    "mujoco": "mujoco",
+}
+"""The extra of the package that brings each optional library."""
 
 
 class ClubfaceError(Exception):
@@ -289,3 +311,11 @@ def _shown(value: object) -> str:
         text = f"a {type(value).__name__}"
     first, *more = text.splitlines() or [""]
     return first if len(first) <= 80 and not more else first[:77] + "..."
+
+
+def missing_extra(error: ModuleNotFoundError) -> str | None:
+    """Return which extra brings a library that is not installed; None of one that belongs to none."""
+    library = (error.name or "").partition(".")[0]
+    if library not in EXTRAS:
+        return None
+    return f"this needs {library}, which is not installed: pip install 'clubface[{EXTRAS[library]}]'"

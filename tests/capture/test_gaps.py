@@ -9,8 +9,7 @@ import pytest
 
 from attached_notes import codes
 from captures import captured, deviations, errors
-from clubface.capture.filled import filled
-from clubface.capture.recording import read_c3d
+from clubface.capture.recording import filled, read_c3d
 from clubface.capture.reduction import QUANTITIES
 from clubface.capture.remarks import implausible
 from clubface.capture.setup import prepare

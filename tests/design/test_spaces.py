@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from clubface import club
-from clubface.design.feasibility import Envelope, of_club, pseudo_inertia
+from clubface.design.feasibility import DRIVER_VOLUME, FREE, IRON, Envelope, of_club, pseudo_inertia, usual_space
 from clubface.design.optimisation.study import read
-from clubface.design.spaces import DRIVER_VOLUME, FREE, IRON, usual_space
 from clubface.equipment.clubs import CLUB_NAMES
 from clubface.fem.heads.meshed import mesh_of
 from clubface.support.files import DATA

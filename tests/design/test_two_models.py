@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from clubface.design.shells.goal import Goal
-from clubface.design.shells.trust_region import trust_region_search as search
+from clubface.design.shells.trust_region import Goal, trust_region_search as search
 from clubface.errors import RunError
 
 pytest.importorskip("scipy")

@@ -11,9 +11,8 @@ import pytest
 import clubface
 from clubface import published_data
 from clubface.design.golfer_estimate import estimate_golfer
-from clubface.design.loft_fit import fit_loft
+from clubface.design.loft_fit import fit_loft, player_loft_notes
 from clubface.design.optimisation.advice import WORTH
-from clubface.design.player_loft import player_loft_notes
 from clubface.errors import InputError
 from clubface.inference import player_notes, player_page, player_report, player_statistics
 from clubface.inference.player_report import player_result, result_of_clubs, statistics_by_club

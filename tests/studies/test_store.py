@@ -8,9 +8,9 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError, FileError, RunError
-from clubface.studies import chunks, running, store
-from clubface.studies.chunks import KEPT, Chunks
+from clubface.studies import running, store
 from clubface.studies.kinds.kind import Computed
+from clubface.studies.running import KEPT, Chunks
 from clubface.studies.store import open_store
 from clubface.studies.study import read_study
 from clubface.support.files import whole_file
@@ -313,10 +313,10 @@ class Slow:
 )
 def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, count, size):
     clock = [0.0]
-    monkeypatch.setattr(chunks.time, "process_time", lambda: clock[0])
+    monkeypatch.setattr(running.time, "process_time", lambda: clock[0])
     path = tmp_path / "study.toml"
     path.write_text(f'[study]\nkind = "empty"\n[sweep]\nx = {{ from = 0, to = 1, count = {count} }}\n')
-    assert chunks.chunk_size(read_study(path), Slow(clock, loading, each)) == size
+    assert running.chunk_size(read_study(path), Slow(clock, loading, each)) == size
 
 
 def test_a_pipe_in_the_place_of_a_part_is_refused_and_not_waited_for(tmp_path):

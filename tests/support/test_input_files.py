@@ -32,7 +32,7 @@ NO_INPUTS = {
     "jobs/store.py": "finished parts of long work",
     "jobs/table.py": "rows of a table that long work adds to",
     "jobs/lock.py": "who works on a file",
-    "fem/accuracy.py": "errors that were computed once, which come with the package",
+    "fem/paper.py": "errors that were computed once, which come with the package",
     "support/processes.py": "the memory of the machine; the processor of the machine",
     "shots/tables/writer.py": "pieces of what is written",
     "cli/app.py": "the device for messages that nobody reads",

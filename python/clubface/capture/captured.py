@@ -20,8 +20,7 @@ from clubface.errors import InputError
 from clubface.quantities import format_value, quantity
 from clubface.results.notes import Note
 from clubface.results.pictures import Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.recorded import RejectedRow
 from clubface.shots.recorded_result import rejected_table

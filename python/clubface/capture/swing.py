@@ -23,10 +23,9 @@ from clubface import units
 from clubface.capture import remarks
 from clubface.capture.ball_flight import Launched, flight
 from clubface.capture.captured import LAUNCHES, CapturedDelivery, Trace, captured_result, notes_by_file
-from clubface.capture.filled import without_filled
 from clubface.capture.markers import AXES, MarkerMap
 from clubface.capture.meeting import SURPRISING, meet
-from clubface.capture.recording import Recording, read_c3d
+from clubface.capture.recording import Recording, read_c3d, without_filled
 from clubface.capture.reduction import QUANTITIES, Inputs, with_covariance
 from clubface.capture.rotations import angles, degrees_of_freedom, exponential, mirror
 from clubface.capture.setup import Options, Setup, prepare

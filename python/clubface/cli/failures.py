@@ -10,8 +10,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line
-from clubface.support.extras import missing_extra
+from clubface.errors import ClubfaceError, InputError, RuleWarning, UnknownNameError, in_a_line, missing_extra
 from clubface.support.renamed import RENAMED
 
 

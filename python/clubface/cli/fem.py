@@ -164,8 +164,8 @@ def design(
 def reference(**texts: Any) -> None:
     """Throw the ball of Roh and Lee at a rigid plane, the case used to compare solvers."""
     from clubface import fem
-    from clubface.fem.accuracy import DEFAULT, meshes
     from clubface.fem.impact_result import reference_result
+    from clubface.fem.paper import DEFAULT, meshes
 
     count = check_count("--meshes", texts["meshes"], 1, 6)
     settings = fem.Settings(contact=texts["contact"])

@@ -167,7 +167,7 @@ def report(
 
     import numpy as np
 
-    from clubface.design.player_loft import player_loft_notes
+    from clubface.design.loft_fit import player_loft_notes
     from clubface.inference.player_report import player_result
     from clubface.present.report import write_report
 

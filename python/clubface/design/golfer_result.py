@@ -12,8 +12,7 @@ from clubface.equipment.clubs import Club
 from clubface.quantities import Quantity, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.impact import impact
 from clubface.simulation.provenance import flight_conditions, provenance_of

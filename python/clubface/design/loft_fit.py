@@ -1,6 +1,7 @@
 """The loft that suits a golfer: the best dynamic loft by each objective, and how much of it makes no difference.
 
-It is an optimisation of the loft alone, so that it gives the same advice as one.
+It is an optimisation of the loft alone, so that it gives the same advice as one; a player's report says it in
+sentences.
 """
 
 from __future__ import annotations
@@ -14,13 +15,16 @@ import numpy as np
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of, own_club
+from clubface.design.golfer_estimate import estimate_golfer
 from clubface.design.optimisation.advice import (
+    BETTER,
     WORTHS,
     Advice,
     advice_lead,
     advice_notes,
     advice_tables,
     is_at_an_end,
+    losses_in_words,
     short_label,
 )
 from clubface.design.optimisation.landings import Objective, Setting
@@ -31,7 +35,8 @@ from clubface.design.strokes import Hole
 from clubface.equipment.balls import Ball, ball as ball_named
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
-from clubface.errors import InputError
+from clubface.errors import ClubfaceError, InputError
+from clubface.inference.player_statistics import ClubStatistics
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
@@ -39,6 +44,7 @@ from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, check_conditions
 from clubface.simulation.impact import Parameters
+from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats
 
 SPAN = units.parse("8 deg", "angle")
@@ -285,3 +291,49 @@ def loft_fit_picture(fitted: LoftFit) -> Picture:
         "Gain on the present loft (dashed); between -1 and 1 it is not worth a change", legend=True,
     )  # fmt: skip
     return Picture("loft-fit", "What each loft gains on the present one, by what counts", [[panel]], height=3.6)
+
+
+def player_loft_notes(club: ClubStatistics) -> Iterator[Note]:
+    """Yield what another loft of a club is worth by carry, then by what else counts; nothing without its delivery.
+
+    It is :func:`clubface.design.fit_loft` for the golfer of the shots, so that the report says what ``clubface
+    best-loft --golfer`` does. Where they are too few for a golfer, it is that of the mean delivery that was inferred,
+    without strokes, which depend on how the shots spread.
+    """
+    if club.club is None or club.inferred is None:
+        return
+    player = _golfer(club)
+    fitted = fit_loft(player, club=club.club)
+    advice = fitted.advice
+    changed = advice.recommended()
+    best = changed or advice.best("carry")
+    data = {
+        "club": club.name, "change_loft": fitted.best("carry") - fitted.present,
+        "gain_carry": advice.gain("carry", best), "worth_carry": advice.worth["carry"],
+    }  # fmt: skip
+    yield note("player-loft-change" if changed else "player-loft-keep" if best else "player-loft-best", **data)
+    for judge in fitted.objectives:
+        other = advice.best(judge.name)
+        is_known = judge.name != "strokes" or bool(player.spread.any())
+        if (
+            judge.name in ("total", "strokes")
+            and other != best
+            and advice.state(judge.name, other) == BETTER
+            and is_known
+        ):
+            losses = losses_in_words(advice, judge.name, other)
+            yield note(
+                "player-loft-other-costs" if losses else "player-loft-other", label=short_label(judge), losses=losses,
+                change_loft=fitted.best(judge.name) - fitted.present, gain=judge.show(advice.gain(judge.name, other)),
+            )  # fmt: skip
+
+
+def _golfer(club: ClubStatistics) -> Golfer:
+    """Return the golfer of the shots, or one who always delivers the inferred mean where they are too few for one."""
+    assert club.club is not None
+    assert club.inferred is not None
+    try:
+        return estimate_golfer(club.shots, club=club.club).golfer
+    except ClubfaceError:
+        delivery = {name: value for name, value in club.inferred.mean.items() if name in OF_CLUB}
+        return steady_golfer(club.club.name, **delivery).replace(hand=club.club.hand)

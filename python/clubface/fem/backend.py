@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from clubface.equipment.models import Model
 from clubface.errors import InputError
-from clubface.fem.accuracy import error_note
 from clubface.fem.balls import ball
 from clubface.fem.heads.meshed import mesh_of
+from clubface.fem.paper import error_note
 from clubface.fem.run import FRICTION, face_of, simulate, strike
 from clubface.fem.settings import Settings
 from clubface.results.notes import Note

@@ -9,8 +9,7 @@ from clubface.equipment.rules import RuleVerdict, rules, rules_of
 from clubface.fem.heads import MeshedHead, ShellHead
 from clubface.fem.stress import ImpactStress, stress_picture
 from clubface.results.notes import Note, note
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, text
 
 __all__ = ["head_result"]

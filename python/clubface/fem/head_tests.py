@@ -25,8 +25,7 @@ from clubface.jobs.table import Place, Row, run_table
 from clubface.jobs.workers import worker_count
 from clubface.results.notes import note
 from clubface.results.pictures import Axis, Mark, Panel, Picture
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Table, text
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings

@@ -8,15 +8,21 @@ from typing import Any
 
 from clubface import units
 from clubface.equipment.balls import BALL_DIAMETER_LIMIT, BALL_MASS_LIMIT
-from clubface.fem.accuracy import error_note, mesh_row
 from clubface.fem.balls import Ball
-from clubface.fem.paper import PUBLISHED, SPIN_FACTOR, other_solvers, spin_factor, table as paper_table
+from clubface.fem.paper import (
+    PUBLISHED,
+    SPIN_FACTOR,
+    error_note,
+    mesh_row,
+    other_solvers,
+    spin_factor,
+    table as paper_table,
+)
 from clubface.fem.result import Impact
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Picture
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of

@@ -22,9 +22,9 @@ from clubface import units
 from clubface.errors import ImplausibleWarning, InputError, Wording
 from clubface.fem import core
 from clubface.schema import PhysicalValue, check_values, file_key
+from clubface.simulation.own_law import function_address
 from clubface.support.arrays import Floats
 from clubface.support.checks import Frozen, check_choice, check_count, check_names, check_text, warn_once
-from clubface.support.functions import function_address
 
 __all__ = ["Energy", "Law", "LawFunction", "Material", "Maxwell", "laws", "register_law"]
 

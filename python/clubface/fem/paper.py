@@ -1,14 +1,20 @@
 """Published and reference cases: Roh and Lee's impacts, and a ball whose every constant is stated.
 
 Roh and Lee: "Analysis of golf ball spin mechanism at impact by FEM".
+
+The reference case also bounds the error of an impact: by finer meshes, and by other solvers. An energy balance only
+checks the time steps: it is as good on a mesh that is far too coarse.
 """
 
 from __future__ import annotations
 
+import json
 import math
 import os
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from functools import cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,14 +27,15 @@ from clubface.fem.core import Progress
 from clubface.fem.result import Impact
 from clubface.fem.run import throw
 from clubface.fem.settings import METHODS, Settings
+from clubface.results.notes import Note, note
 from clubface.schema import Document
 from clubface.support.arrays import Floats
 from clubface.support.files import DATA
 from clubface.support.renamed import renamed_arguments
 
 __all__ = [
-    "PUBLISHED", "SPIN_FACTOR", "by_contact", "fitted_spin", "paper", "reference", "section_spin", "spin_factor",
-    "table",
+    "PUBLISHED", "SPIN_FACTOR", "ErrorBounds", "by_contact", "error_bounds", "error_note", "fitted_spin",
+    "mesh_row", "meshes", "paper", "reference", "section_spin", "spin_factor", "stored_meshes", "table",
 ]  # fmt: skip
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
@@ -43,6 +50,12 @@ SPEED, LOFT, RADIUS = (
 """Their case [m/s, rad, m]."""
 SHAPES = 201
 """Deformed shapes that are kept, one in 5 us, from which the spin of a section is found."""
+
+
+STORED = DATA / "fem_meshes.json"
+"""The reference case on meshes up to three times as fine, as ``make fem-figures`` computes it."""
+DEFAULT = 3
+"""Elements along an edge of the mesh of a ball's file, in thirds."""
 
 
 def paper(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
@@ -212,3 +225,67 @@ def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
     """Return the names of independent solvers, and their results, by quantity and unit."""
     published = Document.read(DATA / "published_impacts.toml").data["reference"]
     return published["solvers"], published["figures"]
+
+
+class ErrorBounds(NamedTuple):
+    """Differences of ball speed and backspin from the reference case on the default mesh, as fractions."""
+
+    speed_over_meshes: float  # from the default mesh to the finest one
+    spin_over_meshes: float
+    speed_over_solvers: float  # the largest from an independent solver
+    spin_over_solvers: float
+    elements: int  # of the finest mesh
+
+
+def meshes(ball: Ball, thirds: Sequence[int]) -> list[Ball]:
+    """Return a ball on meshes with ``thirds`` / 3 times as many elements along every edge.
+
+    The number of elements is rounded: an even one along the cube, and at least one layer in each piece.
+    """
+    made = []
+    for each in thirds:
+        pieces = tuple(replace(piece, layers=max(1, round(piece.layers * each / 3))) for piece in ball.pieces)
+        made.append(replace(ball, cube=max(2, 2 * round(ball.cube * each / 6)), pieces=pieces))
+    return made
+
+
+def mesh_row(impact: Impact) -> dict[str, float]:
+    """Return elements, speed, backspin, angle from the normal, and peak force of a throw at a plane."""
+    normal, along = impact.normal_velocity, impact.tangential_velocity
+    return {
+        "elements": impact.elements,
+        "ball_speed_mps": math.hypot(normal, along),
+        "backspin_rpm": float(units.from_si(impact.backspin, "rpm")),
+        "angle_deg": math.degrees(math.atan2(along, normal)),
+        "peak_force_n": impact.peak_force,
+    }
+
+
+@cache
+def stored_meshes() -> dict[str, Any]:
+    """Return the reference case on meshes, the coarsest first, and the commit whose code computed it."""
+    return json.loads(STORED.read_text(encoding="utf-8"))
+
+
+@cache
+def error_bounds() -> ErrorBounds:
+    """Return the differences of the finest mesh and of other solvers from the reference case."""
+    rows = stored_meshes()["rows"]
+    own = next(each for each in rows if each["thirds"] == DEFAULT)
+    finest = max(rows, key=lambda each: each["elements"])
+    _, others = other_solvers()
+    speeds = map(math.hypot, others["normal_velocity_mps"], others["tangential_velocity_mps"])
+
+    def largest(key: str, values: Sequence[float]) -> float:
+        return max(abs(each / own[key] - 1.0) for each in values)
+
+    return ErrorBounds(
+        largest("ball_speed_mps", [finest["ball_speed_mps"]]), largest("backspin_rpm", [finest["backspin_rpm"]]),
+        largest("ball_speed_mps", list(speeds)), largest("backspin_rpm", others["backspin_rpm"]),
+        int(finest["elements"]),
+    )  # fmt: skip
+
+
+def error_note() -> Note:
+    """Return the note on what bounds the error of a launch by finite elements."""
+    return note("error-bounds", **error_bounds()._asdict())

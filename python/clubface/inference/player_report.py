@@ -89,7 +89,7 @@ def player_result(shots: RecordedShots, *, loft_notes: LoftNotes | None = None) 
     shots
         The shots.
     loft_notes
-        Judges the loft of the driver for the first page, as :func:`clubface.design.player_loft.player_loft_notes`
+        Judges the loft of the driver for the first page, as :func:`clubface.design.loft_fit.player_loft_notes`
         does; without it the page says nothing of lofts.
 
     Raises

@@ -25,8 +25,7 @@ from clubface.present.document import (
 )
 from clubface.present.terminal import headings_and_rows, values_of
 from clubface.results.pictures import Picture
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Table
 
 WORKS = {

@@ -7,9 +7,9 @@ checked; files and templates are written; and pages and editors learn which keys
 from __future__ import annotations
 
 from clubface.schema.document import Document as Document, quoted as quoted
-from clubface.schema.files import FILES as FILES, file_schema as file_schema
 from clubface.schema.place import Place as Place
 from clubface.schema.tables import (
+    FILES as FILES,
     Entry as Entry,
     Table as Table,
     check_values as check_values,
@@ -17,6 +17,7 @@ from clubface.schema.tables import (
     encode as encode,
     entries as entries,
     file_key as file_key,
+    file_schema as file_schema,
     json_schema as json_schema,
     key_rows as key_rows,
     quantities as quantities,

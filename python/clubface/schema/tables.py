@@ -18,28 +18,43 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from functools import cache
+from importlib import import_module
 from typing import Any, NamedTuple, TypeVar
 
 from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.values import Choice, PhysicalValue, Record, Tables, Value
+from clubface.support.checks import check_choice
 
 __all__ = [
-    "Entry",
-    "Table",
-    "check_values",
-    "decode",
-    "encode",
-    "entries",
-    "file_key",
-    "json_schema",
-    "key_rows",
-    "quantities",
-    "template",
-    "written_key",
-]
+    "FILES", "Entry", "Table", "check_values", "decode", "encode", "entries", "file_key", "file_schema",
+    "json_schema", "key_rows", "quantities", "template", "written_key",
+]  # fmt: skip
 
 T = TypeVar("T")
+
+
+FILES = {
+    "club": "equipment.clubs.Club",
+    "ball": "equipment.balls.Ball",
+    "shaft": "equipment.shafts.Shaft",
+    "parameters": "equipment.parameters.ParameterFile",
+    "ball-of-pieces": "fem.balls.PIECES_FILE",
+    "driver-head": "fem.heads.read.DRIVER_FILE",
+    "iron-head": "fem.heads.read.IRON_FILE",
+    "mesh-head": "fem.heads.read.MESH_FILE",
+    "fem-case": "fem.case.CaseFile",
+    "golfer": "design.golfer.GolferFile",
+    "prior": "inference.prior.PriorFile",
+    "optimisation": "design.optimisation.study.StudyFile",
+    "fitting": "design.optimisation.study.FittingFile",
+    "shells": "design.shells.study.ShellFile",
+    "study": "studies.study.STUDY_FILE",
+    "markers": "capture.markers.MarkerFile",
+    "monitor-columns": "shots.formats.MappingFile",
+    "published-tables": "published_data.PublishedFile",
+}
+"""Module and name of the dataclass, or of the kind of table, that each kind of file is read with."""
 
 
 class Entry(NamedTuple):
@@ -320,3 +335,11 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
         rows.append((names, words, entry.meaning if entry else ""))
         rows += key_rows(kind, f"{prefix}{name}.")
     return rows
+
+
+def file_schema(name: str) -> Value:
+    """Return the kind of table that a file of the given kind is."""
+    check_choice("kind of file", name, FILES)
+    module, _, attribute = FILES[name].rpartition(".")
+    schema: Any = getattr(import_module(f"clubface.{module}"), attribute)
+    return schema if isinstance(schema, Value) else Table(schema)

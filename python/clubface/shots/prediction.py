@@ -20,8 +20,7 @@ from clubface.equipment.models import DEFAULT_MODEL, model as model_named
 from clubface.errors import FileError, InputError, RangeWarning, Wording
 from clubface.jobs.store import Store, unfinished_folder
 from clubface.results.notes import Note, free_text, note
-from clubface.results.provenance import Computation, Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Computation, Described, Provenance, Result
 from clubface.results.table import table, text
 from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES

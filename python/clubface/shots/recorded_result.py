@@ -7,8 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from clubface.quantities import quantity
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow

@@ -15,8 +15,7 @@ from clubface.errors import InputError, Wording
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.club_names import same_club
 from clubface.shots.mishits import Mishit, Statistic, find_mishits, is_mishit, statistic

@@ -18,8 +18,7 @@ from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError, RangeWarning
 from clubface.results.notes import Note, note
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import column, table, text
 from clubface.shots.club_names import club_kind
 from clubface.shots.recorded import RecordedShots

@@ -538,7 +538,7 @@ class Trajectory(Series):
 
     def to_result(self) -> Result:
         """Return where and when it lands, and every point as a row."""
-        from clubface.simulation.batch_result import trajectory_result
+        from clubface.simulation.shot_result import trajectory_result
 
         return trajectory_result(self)
 

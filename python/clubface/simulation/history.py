@@ -151,7 +151,7 @@ class History(Series):
 
     def to_result(self) -> Result:
         """Return contact time and peak force, and every step as a row."""
-        from clubface.simulation.batch_result import history_result
+        from clubface.simulation.shot_result import history_result
 
         return history_result(self)
 

@@ -266,7 +266,7 @@ class Comparison(dict[str, Launch], Presentable):
 
     def to_result(self) -> Result:
         """Return one row a shot and model."""
-        from clubface.simulation.batch_result import comparison_result
+        from clubface.simulation.shot_result import comparison_result
 
         return comparison_result(self)
 

@@ -12,7 +12,7 @@ from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.quantities import display_unit, quantity
-from clubface.results.provenance import Computation, Provenance
+from clubface.results.result import Computation, Provenance
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, air_of, conditions
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import flight_inputs

@@ -233,7 +233,7 @@ class Batch(Presentable):
 
     def to_result(self) -> Result:
         """Return one row a shot: the inputs given as arrays, then every quantity."""
-        from clubface.simulation.batch_result import batch_provenance
+        from clubface.simulation.shot_result import batch_provenance
 
         varied = self.varied
         columns = [column(name, values, varied[name].unit) for name, values in self._varied_columns().items()]

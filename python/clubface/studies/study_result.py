@@ -15,8 +15,7 @@ from clubface.equipment.described import FLAT
 from clubface.quantities import Quantity, quantity, with_unit
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture
-from clubface.results.provenance import Provenance
-from clubface.results.result import Result
+from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, table, text
 from clubface.simulation.provenance import equipment_sources, flight_conditions
 from clubface.studies.joining import Joined

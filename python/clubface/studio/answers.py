@@ -8,10 +8,9 @@ from typing import Any
 
 from starlette.responses import JSONResponse, Response
 
-from clubface.errors import ClubfaceError, FileError, InputError, in_a_line
+from clubface.errors import ClubfaceError, FileError, InputError, in_a_line, missing_extra
 from clubface.present.files import json_text
 from clubface.results.result import Result
-from clubface.support.extras import missing_extra
 
 __all__ = ["answer", "describe_mistake", "document", "mistake", "refusal"]
 

@@ -13,7 +13,7 @@ from starlette.routing import Route
 from clubface.design.golfer import golfers, to_toml
 from clubface.design.golfer_estimate import Estimate, estimate_golfer
 from clubface.design.golfer_result import golfer_result
-from clubface.design.player_loft import player_loft_notes
+from clubface.design.loft_fit import player_loft_notes
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.errors import InputError
 from clubface.inference.player_report import player_result

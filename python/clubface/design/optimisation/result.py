@@ -26,8 +26,7 @@ from clubface.errors import RuleWarning
 from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.impact import impact
 from clubface.simulation.provenance import flight_conditions, provenance_of

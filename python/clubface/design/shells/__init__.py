@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from clubface.design.shells.goal import Goal
-from clubface.design.shells.metals import MetalChoice, NamedMetal
+from clubface.design.shells.families import MetalChoice, NamedMetal
 from clubface.design.shells.run import improve
 from clubface.design.shells.study import FaceImpact, ShellStudy, read
-from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
+from clubface.design.shells.trust_region import Goal, SearchResult, Step, trust_region_search
 from clubface.support.renamed import renamed_names
 
 __all__ = [

@@ -13,19 +13,16 @@ import numpy as np
 from clubface import units
 from clubface.design.optimisation.advice import is_at_an_end
 from clubface.design.shells.engine import Engine, FastModel
-from clubface.design.shells.families import Head
-from clubface.design.shells.goal import Goal
-from clubface.design.shells.metals import MetalChoice
+from clubface.design.shells.families import Head, MetalChoice
 from clubface.design.shells.study import QUANTITIES, ShellStudy, design_quantity, read
-from clubface.design.shells.trust_region import SearchResult, Step, trust_region_search
+from clubface.design.shells.trust_region import Goal, SearchResult, Step, trust_region_search
 from clubface.errors import MeshWarning, RangeWarning, RunError, TargetWarning
 from clubface.fem.heads.read import from_text, head_text
 from clubface.jobs.store import store_for
 from clubface.quantities import format_value
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.provenance import flight_conditions
 from clubface.support.arrays import Floats

@@ -43,9 +43,8 @@ import numpy as np
 
 from clubface import units
 from clubface.design.golfer import Golfer, golfer as golfer_of
-from clubface.design.shells.families import Family, Head, face_parts, family_of
-from clubface.design.shells.goal import Goal
-from clubface.design.shells.metals import MetalChoice, NamedMetal, metal_choices
+from clubface.design.shells.families import Family, Head, MetalChoice, NamedMetal, face_parts, family_of, metal_choices
+from clubface.design.shells.trust_region import Goal
 from clubface.equipment.rules import rules_of
 from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of

@@ -20,8 +20,7 @@ from clubface.inference.evaluation.statistics import COVARIATES, Best, ErrorSize
 from clubface.quantities import Quantity, Reading, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.measured import DELIVERY, LAUNCH, QUANTITIES, MeasuredShots

@@ -19,7 +19,7 @@ from clubface.equipment.parameters import ParameterSet
 from clubface.errors import InputError, RangeWarning, UnknownNameError
 from clubface.inference.evaluation.statistics import group_labels
 from clubface.results.notes import Note, note
-from clubface.results.provenance import Provenance
+from clubface.results.result import Provenance
 from clubface.schema import Document
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.measured import DELIVERY, QUANTITIES, SOLVED, measured_shots

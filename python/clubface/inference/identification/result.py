@@ -18,8 +18,7 @@ from clubface.inference.identification.intervals import CHI_SQUARE_95, Identifia
 from clubface.quantities import display_unit, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
-from clubface.results.provenance import Provenance
-from clubface.results.result import Described, Result
+from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, table, text
 from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.recorded import RejectedRow
