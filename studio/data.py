@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from certainty import Numbered, certainty_data, kind_of
-from clubface.design.spaces import QUANTITIES as SIZES, usual_space
 from equations import equations_data
 from lesson_figures import lesson_figures
 from titles import ball_title, club_title, set_title
@@ -25,6 +24,7 @@ from clubface import _core, fem
 from clubface.design.contributions import QUANTITIES
 from clubface.design.face_map import SHARE
 from clubface.design.face_surface import outline_of
+from clubface.design.feasibility import QUANTITIES as SIZES, usual_space
 from clubface.design.golfer import MIRRORED, Golfer, golfer
 from clubface.design.optimisation.landings import SPEED_EXPONENT
 from clubface.design.optimisation.study import RULED
