@@ -108,7 +108,7 @@ def test_positions_that_contradict_the_address_are_told():
 def test_an_impact_at_the_centre_shows_loft_and_face_angle(hand):
     cameras = Cameras(rate=720.0, noise=1e-5)
     usual = Assumed(
-        delivered_loft=0.5, delivered_face=0.5, delivered_lie=0.01, blow=1e-3, toe=1e-4, high=1e-4, place=1e-6
+        delivered_loft=0.5, delivered_face=0.5, delivered_lie=0.01, impulse=1e-3, toe=1e-4, high=1e-4, place=1e-6
     )
     off = []
     for seed in range(3, 9):

@@ -158,7 +158,7 @@ def test_of_two_impacts_the_harder_is_taken_and_the_other_named():
     ready = replace(ready, mapping=replace(ready.mapping, frames=(1, 60)))
     result = capture(both, ready)
     assert result.frames[0] == pytest.approx(impact + 1, abs=1)
-    assert "capture-blow-again" in codes(result)
+    assert "capture-impact-again" in codes(result)
 
 
 def test_noise_never_lies_on_a_polynomial_and_a_filled_gap_does():

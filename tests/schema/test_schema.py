@@ -48,7 +48,7 @@ class Tee:
     name: str = file_key(NAME, "its name")
     width: float = file_key(PhysicalValue("m", above=0), "from side to side", example="4 m", multiples={"half": 2.0})
     colour: str = file_key(Choice(("white", "red")), "of its markers", default="white")
-    level: bool = file_key(FLAG, "whether it is level", default=True)
+    level: bool = file_key(FLAG, "whether it is level", old_name="flat", default=True)
     holes: tuple[int, ...] = file_key(Items(count(1, 18)), "the holes it serves", default=())
     winds: tuple[float, float] | None = file_key(Interval(PhysicalValue("m/s")), "least and greatest", default=None)
     grass: dict[str, float] = file_key(
@@ -90,6 +90,13 @@ def test_a_file_is_read_in_si_and_written_as_it_was():
     assert decode(Tee, {"name": "first", "half": "2 m"}) == Tee(name="first", width=4.0)
 
 
+def test_a_key_may_have_an_old_name_that_is_read_with_a_warning():
+    with pytest.warns(DeprecationWarning, match="flat is called level now"):
+        tee = decode(Tee, {"name": "first", "width": "4 m", "flat": False})
+    assert not tee.level
+    assert json_schema(Tee, "a tee")["properties"]["flat"]["deprecated"]
+
+
 @pytest.mark.parametrize(
     ("old", "new", "line", "words"),
     [
@@ -104,6 +111,12 @@ def test_a_file_is_read_in_si_and_written_as_it_was():
         ('name = "tall"\n', "", 15, "these keys of [pegs] are missing: name"),
         ('"4 m"', '"4 kg"', 2, "width is '4 kg'; it must be in m"),
         ('"4 m"', '"0 m"', 2, "width is '0 m'; it must be above 0 m"),
+        (
+            "level = false",
+            "level = false\nflat = true",
+            5,
+            "flat is True; it must be left out: give level or flat, not both",
+        ),
         ('"4 m"', '"4 m"\nhalf = "2 m"', 3, "half is '2 m'; it must be left out: give width or half, not both"),
         ("false", "3", 4, "level is 3; it must be true or false"),
         ("[1, 10]", "[1, 19]", 5, "holes is 19; it must be a whole number from 1 to 18"),

@@ -423,7 +423,7 @@ def _attitude(detected: DetectedImpact, mapping: MarkerMap, club: Club, ball: Ba
     arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
     toe, high = (deviation * random.normal(size=DRAWS).clip(-2.0, 2.0) for deviation in (assumed.toe, assumed.high))
     lie = assumed.delivered_lie * random.normal(size=DRAWS)
-    sideways = assumed.blow * random.normal(size=(2, DRAWS))
+    sideways = assumed.impulse * random.normal(size=(2, DRAWS))
     velocity = detected.velocity
     speed = float(np.linalg.norm(velocity))
     given = {

@@ -69,7 +69,9 @@ class Assumed:
     delivered_loft: float = file_key(ANGLE, "of the loft at impact about the usual", default=6.0 * _DEGREE)
     delivered_face: float = file_key(ANGLE, "of the face angle at impact, likewise", default=4.0 * _DEGREE)
     delivered_lie: float = file_key(ANGLE, "of the lie at impact, likewise", default=3.0 * _DEGREE)
-    blow: float = file_key(ANGLE, "of the direction of the impulse by the impact model", default=2.0 * _DEGREE)
+    impulse: float = file_key(
+        ANGLE, "of the direction of the impulse by the impact model", old_name="blow", default=2.0 * _DEGREE
+    )
     sole: float = file_key(LENGTH, "of the height of the face centre over the ground at address", default=5.0 * _MM)
     place: float | None = file_key(
         LENGTH,

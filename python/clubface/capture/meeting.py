@@ -183,10 +183,10 @@ def _in_front(approach: Approach, setup: Setup) -> Array:
 
 
 def _impact_notes(detected: DetectedImpact) -> tuple[Note, ...]:
-    taken = note("capture-blow", lost=detected.lost)
+    taken = note("capture-impact", lost=detected.lost)
     if detected.again is None:
         return (taken,)
-    return taken, note("capture-blow-again", frame=detected.before + 1, again=detected.again + 1)
+    return taken, note("capture-impact-again", frame=detected.before + 1, again=detected.again + 1)
 
 
 def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:

@@ -25,6 +25,7 @@ from clubface.schema.document import Document, quoted
 from clubface.schema.place import Place
 from clubface.schema.values import Choice, PhysicalValue, Record, Tables, Value
 from clubface.support.checks import check_choice
+from clubface.support.renamed import warn_renamed
 
 __all__ = [
     "FILES", "Entry", "Table", "check_values", "decode", "encode", "entries", "file_key", "file_schema",
@@ -78,6 +79,8 @@ class Entry(NamedTuple):
         What the object has without it.
     multiples
         Other keys that a file may have in its place, and what their value is multiplied by.
+    old_name
+        A former name of the key, which files may still use.
     """
 
     key: str
@@ -88,6 +91,7 @@ class Entry(NamedTuple):
     is_required: bool
     default: Any
     multiples: Mapping[str, float]
+    old_name: str
 
     @property
     def unit(self) -> str:
@@ -107,6 +111,7 @@ def file_key(
     name: str = "",
     example: str = "",
     multiples: Mapping[str, float] | None = None,
+    old_name: str = "",
     default: Any = MISSING,
     default_factory: Any = MISSING,
     required: bool | None = None,
@@ -126,12 +131,14 @@ def file_key(
         A value for templates, as people write it.
     multiples
         Other keys that may take its place, and what their value is multiplied by, as in ``{"diameter": 0.5}``.
+    old_name
+        A former name of the key, which is read with a warning.
     required
         Whether a file must have it; unless given, whether it has no default.
     default, default_factory, **options
         As for :func:`dataclasses.field`.
     """
-    declared = {"key": (value, meaning, name, example, multiples or {}, required)}
+    declared = {"key": (value, meaning, name, example, multiples or {}, old_name, required)}
     return field(default=default, default_factory=default_factory, metadata=declared, **options)
 
 
@@ -141,11 +148,11 @@ def entries(schema: type) -> Mapping[str, Entry]:
     keys = {}
     for each in fields(schema):
         if "key" in each.metadata:
-            value, meaning, name, example, multiples, required = each.metadata["key"]
+            value, meaning, name, example, multiples, old_name, required = each.metadata["key"]
             default = each.default_factory() if each.default_factory is not MISSING else each.default
             is_required = default is MISSING if required is None else required
             name = name or each.name
-            keys[name] = Entry(name, each.name, value, meaning, example, is_required, default, multiples)
+            keys[name] = Entry(name, each.name, value, meaning, example, is_required, default, multiples, old_name)
     return keys
 
 
@@ -175,19 +182,25 @@ class Table(Value):
     def read(self, given: Any, place: Place, **more: Any) -> Any:
         """Return the object; ``more`` are fields that the file does not hold."""
         known = self.keys()
-        factors = {other: (each, factor) for each in known.values() for other, factor in each.multiples.items()}
+        factors: dict[str, tuple[Entry, float | None]] = {
+            other: (each, factor) for each in known.values() for other, factor in each.multiples.items()
+        }
+        factors |= {each.old_name: (each, None) for each in known.values() if each.old_name}
         kinds = {name: each.value for name, each in known.items()}
         kinds |= {other: each.value for other, (each, _) in factors.items()} | dict(self.others)
         present = given if isinstance(given, Mapping) else {}
         required = [name for name, each in known.items()
-                    if each.is_required and not present.keys() & each.multiples.keys()]  # fmt: skip
+                    if each.is_required and not present.keys() & {*each.multiples, each.old_name}]  # fmt: skip
         values = Record(kinds, required).read(given, place)
         for other, (each, factor) in factors.items():
             if other in values:
                 if each.key in values:
                     with (at := place.key(other)).errors():
                         raise at.invalid(given[other], f"left out: give {each.key} or {other}, not both")
-                values[each.key] = factor * values.pop(other)
+                value = values.pop(other)
+                values[each.key] = value if factor is None else factor * value
+                if factor is None:
+                    warn_renamed(place.key(other).title, each.key)
         with place.errors():
             return self.schema(
                 **{known[name].attribute: each for name, each in values.items() if name in known}, **more
@@ -205,6 +218,8 @@ class Table(Value):
             words = each.value.words()
             about = {"description": each.meaning + (f" ({words})" if words else "")}
             keys |= {one: {**each.value.json(), **about} for one in (name, *each.multiples)}
+            if each.old_name:
+                keys[each.old_name] = {**each.value.json(), "deprecated": True}
         keys |= {name: each.json() for name, each in self.others.items()}
         required = [name for name, each in known.items() if each.is_required and not each.multiples]
         return {"type": "object", "properties": keys, "required": required, "additionalProperties": False}

@@ -20,8 +20,8 @@ SENTENCES = {
         "the file may state a frame rate that is too low, which makes all speeds too low by the same factor; "
         "otherwise a wrong club, mapping or calibration"
     ),
-    "capture-blow": "impact is where the head loses {lost:.0%} of its speed",
-    "capture-blow-again": (
+    "capture-impact": "impact is where the head loses {lost:.0%} of its speed",
+    "capture-impact-again": (
         "it loses speed in frame {again} as well as in frame {frame} of the recording: trim the recording to read that "
         "one"
     ),
