@@ -232,8 +232,8 @@ def test_a_point_mass_is_the_optimum_where_only_the_cg_counts():
 
 
 def test_a_limit_of_the_shots_is_kept_and_reached():
-    _, result = optimum_of(FACE, head="", rest='[limits]\nside_spread = ["none", "20 yd"]\n')
-    _, free = optimum_of(FACE, head="")
+    _, result = optimum_of(FACE, head="", shots=96, rest='[limits]\nside_spread = ["none", "20 yd"]\n')
+    _, free = optimum_of(FACE, head="", shots=96)
     limit = 20 * 0.9144
     assert free.fresh.value("optimum", "side_spread") > limit
     assert result.judged["side_spread"] == pytest.approx(limit, rel=1e-4)
@@ -278,14 +278,14 @@ def test_a_club_that_breaks_a_rule_for_good_is_refused(tmp_path):
 
 def test_a_robust_optimum_beats_the_nominal_one_on_fresh_shots():
     """The mean carry of a bogey golfer, who often misses the centre; the difference is many of its standard errors."""
-    _, result = optimum_of({**FACE, **MASS}, shots=800)
+    _, result = optimum_of({**FACE, **MASS}, shots=256)
     gain = result.fresh.value("optimum", "carry") - result.fresh.value("nominal", "carry")
     assert gain > 10.0 * result.fresh.error("nominal", "carry")
     assert gain > 1.0  # m
 
 
 def test_an_interrupted_run_goes_on_and_ends_as_an_undisturbed_one(tmp_path):
-    task = study(FACE, head="", shots=600)
+    task = study(FACE, head="", shots=96)
     whole = optimise(task)
     done = []
 
@@ -321,7 +321,7 @@ def test_two_golfers_are_weighted():
 
 
 def test_notes_tell_of_a_lie_that_no_file_has_and_of_a_head_without_point_masses(monkeypatch):
-    _, result = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=64)
+    _, result = optimum_of({"mass_distribution": '"free"', "lie": '["-1 deg", "1 deg"]'}, shots=32)
     codes = {each.code for each in result.to_result().notes}
     assert "optimum-lie" in codes
     assert result.placed()

@@ -89,29 +89,26 @@ def test_a_mark_before_three_digits_of_a_spin_separates_thousands(write, content
     np.testing.assert_allclose(shots.launches["total_spin"], np.array(spins) * RPM, rtol=1e-14)
 
 
-def test_a_spin_that_may_be_two_or_two_thousand_is_refused(write):
-    content = "Spin Rate [rpm];Launch Angle [deg]\n2.845;12.5\n3102;13.5\n4100;14.5\n"
-    shots = launch_monitor.read(write(content))
-    assert [(each.line, "2.845" in each.reason) for each in shots.rejected] == [(2, True)]
-
-
-def test_spins_of_one_file_are_written_alike(write):
-    """Written with three decimals, as a data frame that was rounded is, 120.500 is no thousand beside 2845.312."""
-    rows = "150.125,2845.312,-71.333\n151.125,2945.312,120.500\n149.500,2600.125,0.000\n"
-    shots = launch_monitor.read(write(f"ball_speed [mph],backspin [rpm],sidespin [rpm]\n{rows}"))
+@pytest.mark.parametrize(
+    "content",
+    [
+        # Three decimals, as a rounded data frame has them: 120.500 is no thousand beside 2845.312.
+        "150,12,2845.312,-71.333\n151,13,2945.312,120.500\n",
+        "150;12;2845,4;-71,333\n151;13;2945,6;120,500\n",
+    ],
+)
+def test_other_spins_of_the_file_show_that_a_mark_is_of_decimals(write, content):
+    head = "ball_speed [mph];launch [deg];backspin [rpm];sidespin [rpm]\n".replace(";", content[3])
+    shots = launch_monitor.read(write(head + content))
     assert not shots.rejected
-    np.testing.assert_allclose(shots.launches["sidespin"], np.array([-71.333, 120.5, 0.0]) * RPM, rtol=1e-14)
+    np.testing.assert_allclose(shots.launches["sidespin"], np.array([-71.333, 120.5]) * RPM, rtol=1e-14)
 
 
-def test_a_spin_with_decimals_shows_what_the_mark_of_others_is(write):
-    rows = "150;12;2845,4;-71,333\n151;13;2945,6;120,500\n149;11;2600,1;10,250\n"
-    shots = launch_monitor.read(write(f"ball_speed [mph];launch [deg];backspin [rpm];sidespin [rpm]\n{rows}"))
-    np.testing.assert_allclose(shots.launches["sidespin"], np.array([-71.333, 120.5, 10.25]) * RPM, rtol=1e-14)
-
-
-def test_a_unit_in_the_cell_leaves_a_spin_as_doubtful(write):
-    content = "Spin Rate;Launch Angle [deg]\n2.845 rpm;12.5\n3102 rpm;13.5\n4100 rpm;14.5\n"
-    assert [each.line for each in launch_monitor.read(write(content)).rejected] == [2]
+@pytest.mark.parametrize(("unit", "written"), [(" [rpm]", ""), ("", " rpm")])
+def test_a_spin_that_may_be_two_or_two_thousand_is_refused(write, unit, written):
+    rows = f"2.845{written};12.5\n3102{written};13.5\n4100{written};14.5\n"
+    shots = launch_monitor.read(write(f"Spin Rate{unit};Launch Angle [deg]\n{rows}"))
+    assert [(each.line, "2.845" in each.reason) for each in shots.rejected] == [(2, True)]
 
 
 def test_a_number_that_nothing_decides_is_said_to_be_one(write):

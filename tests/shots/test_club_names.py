@@ -20,15 +20,7 @@ from clubface.shots.club_names import club_kind, may_be, same_club
         ("Pitching Wedge", "pitching-wedge"), ("PitchingWedge", "pitching-wedge"), ("Gap Wedge 50", "gap-wedge"),
         ("SW 56", "sand-wedge"), ("56", "56-wedge"), ("56°", "56-wedge"), ("60 deg Wedge", "60-wedge"),
         ("Putter", "putter"), ("G425 Max", None), ("", None), ("Club 3", None), ("12", None), ("TSR 62 X", None),
-    ],
-)  # fmt: skip
-def test_a_club_is_known_by_what_people_call_it(name, kind):
-    assert club_kind(name) == kind
-
-
-@pytest.mark.parametrize(
-    ("name", "kind"),
-    [
+        # In the languages of golf.
         ("P-Wedge", "pitching-wedge"), ("P.W.", "pitching-wedge"), ("PWedge", "pitching-wedge"),
         ("S Wedge", "sand-wedge"), ("A-Wedge", "gap-wedge"), ("Sandwedge", "sand-wedge"),
         ("サンドウェッジ", "sand-wedge"), ("샌드 웨지", "sand-wedge"), ("沙坑杆", "sand-wedge"),
@@ -43,15 +35,7 @@ def test_a_club_is_known_by_what_people_call_it(name, kind):
         ("Trä 3", "3-wood"), ("Træ 3", "3-wood"), ("スプーン", "3-wood"), ("11W", "11-wood"),
         ("UT4", "4-hybrid"), ("4U", "4-hybrid"), ("4 Utility", "4-hybrid"), ("Hybride 4", "4-hybrid"),
         ("5番ユーティリティ", "5-hybrid"),
-    ],
-)  # fmt: skip
-def test_a_club_is_known_in_the_languages_of_golf(name, kind):
-    assert club_kind(name) == kind
-
-
-@pytest.mark.parametrize(
-    ("name", "kind"),
-    [
+        # The number of a model is not that of a club.
         ("TaylorMade P790 7i", "7-iron"), ("Srixon ZX5 7 Iron", "7-iron"), ("Ping i230 7 Iron", "7-iron"),
         ("King F9 5W", "5-wood"), ("Stealth2 HD 4H", "4-hybrid"), ("Ping S Wedge", "sand-wedge"),
         ("Callaway Apex 21 PW", "pitching-wedge"), ("Cleveland RTX6 56 SW", "sand-wedge"),
@@ -59,7 +43,7 @@ def test_a_club_is_known_in_the_languages_of_golf(name, kind):
         ("Cobra F9", None), ("Rogue ST 10.5 w", None), ("B21", None), ("G425 7", None), ("SIM2 Max D", None),
     ],
 )  # fmt: skip
-def test_the_name_of_a_model_is_not_the_number_of_a_club(name, kind):
+def test_a_club_is_known_by_what_people_and_makers_call_it(name, kind):
     assert club_kind(name) == kind
 
 

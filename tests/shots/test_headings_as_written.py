@@ -56,24 +56,35 @@ def test_tables_of_deliveries_and_files_of_monitors_know_every_synonym_of_the_re
                     assert reader.names[reader.heading(spelled).name][0] == name, (reader.name, spelled)
 
 
-def test_a_row_of_units_may_have_signs_in_columns_without_unit(write):
-    text = "Shot,Club,Ball Speed,Carry,Hang Time\n#,-,mph,yards,seconds\n1,Driver,147,230,6.1\n"
-    assert_si(launch_monitor.read(write(text)), ball_speed=([147], "mph"), carry=([230], "yd"))
-
-
-def test_what_side_and_back_are_their_unit_says(write):
-    text = "HAND,BALL,LAUNCH,BACK,SIDE,SIDE,CLUB\n,MPH,DEG,RPM,RPM,DEG,MPH\nR,150,11.2,2500,210,1.1,102\n"
-    assert_si(
-        launch_monitor.read(write(text)), ball_speed=([150], "mph"), speed=([102], "mph"), backspin=([2500], "rpm"),
-        sidespin=([210], "rpm"), azimuth=([1.1], "deg"),
-    )  # fmt: skip
-
-
-def test_of_two_columns_of_a_quantity_the_one_with_a_unit_is_read(write):
-    head = "Time,Club,Ball,Ball Speed (mph),Smash,Launch V (deg),Launch H (deg),Flight Time (s)"
-    shots = launch_monitor.read(write(f"{head}\n10:15,Driver,Pro,147,1.47,12,1.1,6.1\n"))
-    assert_si(shots, ball_speed=([147], "mph"), flight_time=([6.1], "s"))
-    assert shots.clubs.tolist() == ["Driver"]
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "Shot,Club,Ball Speed,Carry,Hang Time\n#,-,mph,yards,seconds\n1,Driver,147,230,6.1\n",
+            {"ball_speed": ([147], "mph"), "carry": ([230], "yd"), "flight_time": ([6.1], "s")},
+        ),
+        (
+            "HAND,BALL,LAUNCH,BACK,SIDE,SIDE,CLUB\n,MPH,DEG,RPM,RPM,DEG,MPH\nR,150,11.2,2500,210,1.1,102\n",
+            {"ball_speed": ([150], "mph"), "speed": ([102], "mph"), "backspin": ([2500], "rpm")}
+            | {"sidespin": ([210], "rpm"), "azimuth": ([1.1], "deg")},
+        ),
+        (
+            "Time,Club,Ball,Ball Speed (mph),Smash,Flight Time (s)\n10:15,Driver,Pro,147,1.47,6.1\n",
+            {"ball_speed": ([147], "mph"), "flight_time": ([6.1], "s")},
+        ),
+        (
+            "Ball Speed (mph),Launch Direction (deg)\n１４７．５,1.1 H\n147.5,1.1 V\n147.5,1.1 i\n147.5,右1.1\n",
+            {"ball_speed": ([147.5] * 4, "mph"), "azimuth": ([1.1, -1.1, -1.1, 1.1], "deg")},
+        ),
+        ("Club,Club (mph),Ball (mph)\nDriver,100,147\n", {"speed": ([100], "mph"), "ball_speed": ([147], "mph")}),
+    ],
+    ids=["signs in a row of units", "side and back by their unit", "of two columns the one with a unit",
+         "wide digits and sides of other languages", "club and ball as speeds"],
+)  # fmt: skip
+def test_headings_units_and_cells_are_understood_together(write, text, expected):
+    shots = launch_monitor.read(write(text))
+    assert_si(shots, **expected)
+    assert shots.clubs is None or shots.clubs.tolist() == ["Driver"]
 
 
 def test_a_file_in_kmh_of_a_program_that_names_no_units_is_not_read_in_mph(write):
@@ -87,12 +98,6 @@ def test_a_file_in_kmh_of_a_program_that_names_no_units_is_not_read_in_mph(write
 def test_a_word_alone_below_the_header_begins_no_table(write):
     shots = launch_monitor.read(write("Club,Ball Speed (mph),Total (yd)\nDriver,147,250\nTotal,,\nDriver,146,249\n"))
     assert len(shots) == 2
-
-
-def test_cells_may_have_the_wide_digits_and_sides_of_other_languages(write):
-    text = "Ball Speed (mph),Launch Direction (deg)\n１４７．５,1.1 H\n147.5,1.1 V\n147.5,1.1 i\n147.5,右1.1\n"
-    shots = launch_monitor.read(write(text))
-    assert_si(shots, ball_speed=([147.5] * 4, "mph"), azimuth=([1.1, -1.1, -1.1, 1.1], "deg"))
 
 
 def test_a_table_of_deliveries_knows_the_same_spellings(tmp_path):
@@ -112,12 +117,6 @@ def test_a_row_of_units_among_the_shots_changes_the_units_of_those_below(write):
     assert not shots.rejected
     assert_si(shots.select([0]), ball_speed=([147], "mph"), carry=([230], "yd"))
     assert_si(shots.select([1]), ball_speed=([65.7], "m/s"), carry=([210], "m"))
-
-
-def test_club_and_ball_with_a_speed_are_speeds_next_to_a_column_of_clubs(write):
-    shots = launch_monitor.read(write("Club,Club (mph),Ball (mph)\nDriver,100,147\n"))
-    assert_si(shots, speed=([100], "mph"), ball_speed=([147], "mph"))
-    assert shots.clubs.tolist() == ["Driver"]
 
 
 def test_a_number_that_is_marked_as_estimated_is_read_and_noted(write):

@@ -72,26 +72,25 @@ def test_shots_that_scatter_as_a_golfer_does_are_hardly_ever_mishits():
     assert sum(len({mishit.place for mishit in find_mishits(each)}) for each in values) < 0.01 * 5000
 
 
-def test_shots_all_alike_but_for_a_yard_have_no_mishit():
-    assert find_mishits({"carry": np.array([200.0, 200.0, 200.0, 200.0, 199.0, 200.0])}) == []
-    assert find_mishits({"launch": np.full(6, 0.2) + np.array([0, 0, 0, 0, 0, 5 * DEG])}) == []
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"carry": [200.0, 200.0, 200.0, 200.0, 199.0, 200.0]},
+        {"launch": [0.2, 0.2, 0.2, 0.2, 0.2, 0.2 + 5 * DEG]},
+        {"carry": [200.0, 201.0, 199.0, 202.0, 198.0, 260.0]},
+        {"carry": [100.0, 101.0, 99.0, 102.0, 98.0, 100.5, 50.0, 51.0, 49.0, 52.0]},
+        {"carry": [200.0, 201.0, 199.0, 38.0]},
+    ],
+    ids=["alike but for a yard", "alike but for 5 degrees", "a long drive", "full and half swings", "too few shots"],
+)
+def test_these_shots_have_no_mishit(values):
+    assert find_mishits({name: np.array(each) for name, each in values.items()}) == []
+
+
+def test_one_half_swing_or_skied_shot_among_full_swings_is_a_mishit():
+    assert len(find_mishits({"carry": np.array([100.0, 101.0, 99.0, 102.0, 98.0, 100.5, 50.0])})) == 1
     (skied,) = find_mishits({"launch": np.full(6, 0.2) + np.array([0, 0, 0, 0, 0, 20 * DEG])})
     assert (skied.place, skied.quantity) == (5, "launch")
-
-
-def test_a_drive_that_goes_further_is_no_mishit():
-    assert find_mishits({"carry": np.array([200.0, 201.0, 199.0, 202.0, 198.0, 260.0])}) == []
-
-
-def test_full_and_half_swings_are_no_mishits():
-    """Four of ten shots at half the carry are a shot of another kind, not four mishits."""
-    full, half = [100.0, 101.0, 99.0, 102.0, 98.0, 100.5], [50.0, 51.0, 49.0, 52.0]
-    assert find_mishits({"carry": np.array(full + half)}) == []
-    assert len(find_mishits({"carry": np.array(full + half[:1])})) == 1
-
-
-def test_too_few_shots_have_no_mishit():
-    assert find_mishits({"carry": np.array([200.0, 201.0, 199.0, 38.0])}) == []
 
 
 def test_of_a_quantity_that_only_the_mishit_has_the_mishit_is_what_there_is():

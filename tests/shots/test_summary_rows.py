@@ -50,12 +50,54 @@ def test_a_row_that_sums_up_says_so_in_any_column_of_text(write, label, place):
     assert_left_out(launch_monitor.read(write(session(label, kind, place))))
 
 
-def test_a_player_called_max_and_a_club_called_max_keep_their_shots(write):
-    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
-    mine = "Driver,Max,100,146\nMax,Max,98,144\n7 Iron,Min,85,112\nG430 Max,Dev,101,147\nDriver,Media,99,140\n"
-    shots = launch_monitor.read(write(head + mine))
-    assert shots.players.tolist() == ["Max", "Max", "Min", "Dev", "Media"]
+@pytest.mark.parametrize(
+    "rows",
+    [
+        ["Driver,Max,100,146", "Max,Max,98,144", "7 Iron,Min,85,112", "G430 Max,Dev,101,147", "Driver,Media,99,140"],
+        ["Driver,Average Joe,100,146", "Driver,Ann,98,144", "Driver,Mean Gene,99,145"],
+        ["Driver,Mini,100,146", "Driver,Mini,98,144", "Driver,Mini,103,151"],
+    ],
+    ids=["players and clubs called Max", "Average Joe", "what most rows say"],
+)
+def test_names_of_players_and_clubs_are_no_summaries(write, rows):
+    shots = launch_monitor.read(write("\n".join(["Club,Player,Club Speed (mph),Ball Speed (mph)", *rows]) + "\n"))
+    assert shots.players.tolist() == [each.split(",")[1] for each in rows]
     assert "summary-rows" not in {each.code for each in shots.notes}
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            "Club,Player,Club Speed (mph),Ball Speed (mph)\nDriver,Ann,100,146\nDriver,Ann,103,150\n"
+            "Driver,Best,103,150\n7i,Ann,80,106\n7i,Ann,78,104\n7i,Best,80,106\n",
+            [2, 3, 5, 6],
+        ),
+        (
+            "Type,Club,Player,Club Speed (mph),Ball Speed (mph)\n"
+            "x,Driver,Ann,100,146\nx,Driver,Ann,103,150\nx,Driver Average,Ann,95,139\n",
+            [2, 3],
+        ),
+        (
+            "Total (yd),Club Speed (mph),Ball Speed (mph)\n250,100,146\n248,98,144\n262,103,151\nAverage,100.3,147\n",
+            [2, 3, 4],
+        ),
+        (
+            "Club,Club Speed,Ball Speed,Launch Direction,Dyn. Loft\n,[mph],[mph],[deg],[deg]\nDriver,100,147,0.1,13\n"
+            "Driver Average,100,147,0.1,13\n7 Iron,85,112,0.1,23\n7 Iron Average,85,112,0.1,23\n",
+            [3, 5],
+        ),
+        (
+            "Club,Quality,Club Speed (mph),Ball Speed (mph),Launch Angle (deg)\n"
+            "Driver,Good,100,146,12\nDriver,Average,95,133,15\nDriver,Best,104,153,11\nDriver,Average,97,139,9\n",
+            [2, 3, 4, 5],
+        ),
+    ],
+    ids=["best of each club", "average of shots that are not all there", "in a column of numbers", "TrackMan",
+         "how good a shot was"],
+)  # fmt: skip
+def test_only_the_shots_of_a_table_are_read(write, text, lines):
+    assert launch_monitor.read(write(text)).rows.tolist() == lines
 
 
 @pytest.mark.parametrize(
@@ -70,51 +112,6 @@ def test_where_nothing_numbers_the_shots_the_numbers_tell_a_summary_from_a_name(
     assert_left_out(launch_monitor.read(write(head + "\n".join(map(",".join, rows)) + "\n")))
     rows[-1][2] = "101.2"  # the ball speed alone may be so by chance
     assert len(launch_monitor.read(write(head + "\n".join(map(",".join, rows)) + "\n"))) == 4
-
-
-def test_each_clubs_best_is_that_of_its_own_shots(write):
-    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
-    rows = "Driver,Ann,100,146\nDriver,Ann,103,150\nDriver,Best,103,150\n7i,Ann,80,106\n7i,Ann,78,104\n7i,Best,80,106\n"
-    assert launch_monitor.read(write(head + rows)).rows.tolist() == [2, 3, 5, 6]
-
-
-def test_an_average_is_no_shot_though_the_shots_it_is_of_are_not_all_in_the_file(write):
-    head = "Type,Club,Player,Club Speed (mph),Ball Speed (mph)\n"
-    rows = "x,Driver,Ann,100,146\nx,Driver,Ann,103,150\nx,Driver Average,Ann,95,139\n"
-    assert launch_monitor.read(write(head + rows)).rows.tolist() == [2, 3]
-
-
-def test_players_called_average_joe_and_mean_gene_keep_their_shots(write):
-    head = "Club,Player,Club Speed (mph),Ball Speed (mph)\n"
-    shots = launch_monitor.read(
-        write(head + "Driver,Average Joe,100,146\nDriver,Ann,98,144\nDriver,Mean Gene,99,145\n")
-    )
-    assert shots.players.tolist() == ["Average Joe", "Ann", "Mean Gene"]
-
-
-def test_what_most_rows_say_sums_nothing_up(write):
-    head = "Type,Club Speed (mph),Ball Speed (mph)\n"
-    assert len(launch_monitor.read(write(head + "Mini,100,146\nMini,98,144\nMini,103,151\n"))) == 3
-
-
-def test_how_good_a_shot_was_is_no_summary(write):
-    head = "Club,Quality,Club Speed (mph),Ball Speed (mph),Launch Angle (deg)\n"
-    rows = "Driver,Good,100,146,12\nDriver,Average,95,133,15\nDriver,Best,104,153,11\nDriver,Average,97,139,9\n"
-    shots = launch_monitor.read(write(head + rows))
-    assert len(shots) == 4
-
-
-def test_a_total_in_a_column_of_numbers_is_no_shot(write):
-    head = "Total (yd),Club Speed (mph),Ball Speed (mph)\n"
-    shots = launch_monitor.read(write(head + "250,100,146\n248,98,144\n262,103,151\nAverage,100.3,147\n"))
-    assert_left_out(shots)
-
-
-def test_rows_of_averages_of_each_club_are_left_out_of_the_tables_of_makers(write):
-    head = "Club,Club Speed,Ball Speed,Launch Direction,Dyn. Loft\n,[mph],[mph],[deg],[deg]\n"
-    text = "Driver,100,147,0.1,13\nDriver Average,100,147,0.1,13\n7 Iron,85,112,0.1,23\n7 Iron Average,85,112,0.1,23\n"
-    shots = launch_monitor.read(write(head + text))
-    assert (shots.format, shots.rows.tolist()) == ("trackman", [3, 5])
 
 
 @pytest.mark.parametrize("label", ["", "Trung bình", "ค่าเฉลี่ย", "Mittelding", "my numbers"])

@@ -139,15 +139,16 @@ def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
     assert cut.read_bytes() == whole.read_bytes()
 
 
-def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
+def test_the_chunk_size_changes_no_byte(write, tmp_path):
     rng = np.random.default_rng(3)
-    rows = [f"{i},{speed:.2f},{toe:.1f}" for i, (speed, toe) in enumerate(zip(rng.normal(105, 9, 500), rng.normal(0, 30, 500), strict=True))]  # fmt: skip  # noqa: E501
+    drawn = zip(rng.normal(105, 9, 120), rng.normal(0, 30, 120), strict=True)
+    rows = [f"{i},{speed:.2f},{toe:.1f}" for i, (speed, toe) in enumerate(drawn)]
     path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
     result = []
-    for chunk in (1, 7, 10_000):
+    for chunk in (1, 7, 1_000_000):
         report = predict(path, club="driver", output=tmp_path / "out.csv", chunk_rows=chunk)
-        assert report.written + report.rejected == 500
-        assert 0 < report.rejected < 100
+        assert report.written + report.rejected == 120
+        assert 0 < report.rejected < 24
         result.append([(tmp_path / "out.csv").read_bytes(), (tmp_path / "out.rejects.csv").read_bytes()])
     assert result[0] == result[1] == result[2]
 
@@ -166,8 +167,11 @@ def test_the_size_of_the_pieces_changes_no_byte(write, tmp_path):
     ],
 )
 def test_a_column_is_known_by_many_names(write, tmp_path, heading):
-    report = predict(write(f"{heading}\n113\n"), club="driver", output=tmp_path / "out.csv")
-    assert report.used[heading] == ("speed", "mph")
+    with_a_mark_and_tabs = f"\ufeff{heading}\tclub_mass_g\r\n113\t205\r\n"
+    report = predict(write(with_a_mark_and_tabs), club="driver", output=tmp_path / "out.csv")
+    assert (report.used[heading], report.used["club_mass_g"]) == (("speed", "mph"), ("club_mass", "g"))
+    expected = clubface.impact("driver", speed="113 mph", club_mass="205 g").ball_speed
+    assert float(table(report.output, "\t")[0]["ball_speed_mps"]) == pytest.approx(expected, rel=5.1e-9)
 
 
 def test_a_column_without_a_unit_is_refused_until_the_unit_is_given(write, tmp_path):
@@ -205,12 +209,6 @@ def test_the_hand_of_a_row_wins_over_that_of_the_club(write, tmp_path):
     assert float(table(tmp_path / "out.csv")[0]["sidespin_rpm"]) == left
 
 
-def test_club_and_ball_columns_are_inputs_too(write, tmp_path):
-    predict(write("speed_mph,club_mass_g\n100,180\n100,220\n"), club="driver", output=tmp_path / "out.csv")
-    light, heavy = (float(row["ball_speed_mps"]) for row in table(tmp_path / "out.csv"))
-    assert light < heavy
-
-
 @pytest.mark.parametrize("delimiter", [";", ","])
 def test_decimal_commas_are_read_and_written_and_quoted_among_commas(write, tmp_path, delimiter):
     text = 'id;club_speed [mph];toe [mm]\nx;"113,5";"1,5"\ny;1.000;2\nz;99;0\n'
@@ -223,11 +221,6 @@ def test_decimal_commas_are_read_and_written_and_quoted_among_commas(write, tmp_
     assert [row["id"] for row in rows] == ["x", "z"]
     ((line, reason),) = report.first_rejects  # a thousand miles an hour, since a comma marks the decimals
     assert (line, "447.04 must be at most" in reason) == (3, True)
-
-
-def test_a_byte_order_mark_and_tabs_do_no_harm(write, tmp_path):
-    path = write(b"\xef\xbb\xbfclub_speed_mph\ttoe_mm\r\n113\t5\r\n")
-    assert predict(path, club="driver", output=tmp_path / "out.csv").written == 1
 
 
 BAD_FILES = [
@@ -268,7 +261,7 @@ def test_paths_that_cannot_be_are_refused(write, tmp_path):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
     with pytest.raises(FileError, match="No such file"):
         predict(tmp_path / "none.csv", club="driver")
-    for chunk in (0, 1.5, True):
+    for chunk in (0, 1.5, True, 1_000_001):
         with pytest.raises(InputError, match="chunk_rows"):
             predict(path, club="driver", chunk_rows=chunk)
     with pytest.raises(InputError, match="temperature"):
@@ -294,16 +287,3 @@ def test_names_left_out_stand_beside_the_file(write, tmp_path):
     assert report.rejects == str(tmp_path / "shots-launches.rejects.csv")
     assert predict(write(GOOD), club="driver").rejects is None
     assert not (tmp_path / "shots-launches.rejects.csv").exists()
-
-
-def test_rows_in_memory_are_one_to_a_million(write, tmp_path):
-    source = write("speed [m/s]\n45\n46\n47\n")
-    whole = None
-    for chunk in (1, 2, 1_000_000):
-        target = tmp_path / f"{chunk}.csv"
-        assert predict(source, club="driver", output=target, chunk_rows=chunk).written == 3
-        whole = whole or target.read_bytes()
-        assert target.read_bytes() == whole
-    for chunk in (0, 1_000_001, True, 2.0):
-        with pytest.raises(InputError, match=r"chunk_rows is .*; it must be a whole number from 1 to 1000000"):
-            predict(source, club="driver", output=tmp_path / "none.csv", chunk_rows=chunk)
