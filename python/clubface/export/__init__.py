@@ -1,4 +1,4 @@
-"""Clubs, models and deliveries for other programs: numbers for the C interface, functions for CasADi, units for FMI.
+"""Exports for other programs: inputs for the C interface, functions for CasADi, functional mock-up units for FMI.
 
 The package computes nothing here; it writes what the compiled libraries compute from.
 """

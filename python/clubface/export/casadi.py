@@ -28,7 +28,7 @@ from clubface.support.arrays import ValueLike
 from clubface.support.version import __version__
 
 LAUNCHED = ("velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z")
-"""What a flight takes of a launch."""
+"""The launch quantities that a flight depends on."""
 
 
 def casadi_source(
@@ -124,7 +124,7 @@ def casadi_source(
 
 
 def _template(part: str, /, **values: Any) -> str:
-    """Return a part of the source with its values in place."""
+    """Return a part of the source with its values filled in."""
     text = importlib.resources.files("clubface").joinpath("data", "casadi", f"{part}.c").read_text(encoding="utf-8")
     return Template(text).substitute(values)
 
@@ -142,7 +142,7 @@ def _function(name: str, function: Differentiable, *, argument: str, result: str
 
 
 def _listed(title: str, variables: Sequence[Any]) -> list[str]:
-    """Return lines of the comment that list the elements of a vector."""
+    """Return comment lines that list the elements of a vector."""
     return [
         f" * {title}:",
         *(f" *   {i:2} {each.name} [{each.unit}]: {each.meaning}" for i, each in enumerate(variables)),
@@ -150,7 +150,7 @@ def _listed(title: str, variables: Sequence[Any]) -> list[str]:
 
 
 def _values(values: Mapping[str, float]) -> str:
-    """Return the elements of an array in C, each with its name."""
+    """Return the elements of a C array, each with its name."""
     return "\n".join(f"  {_number(value)}, /* {name} */" for name, value in values.items())
 
 

@@ -1,4 +1,4 @@
-"""A struck ball as a unit for co-simulation (FMI 2.0 and 3.0): a native library, its description and its numbers.
+"""Exports a struck ball as a co-simulation unit (FMI 2.0 and 3.0): native library, model description and parameters.
 
 The standards: FMI 2.0.4 and 3.0, Modelica Association, https://fmi-standard.org. The unit takes pose and motion of a
 head, returns force and torque on it, and moves the ball; see :class:`clubface.StruckBall`. No Python is inside.
@@ -33,22 +33,22 @@ from clubface.support.version import __version__
 
 VERSIONS = ("2.0", "3.0")
 STEP = 1e-5
-"""Step that a master may begin with [s]: the mean force over it costs less than 1e-4 of the ball speed."""
+"""Default step size [s]: averaging the force over it changes the ball speed by less than 1e-4."""
 STOP = 0.01
-"""Time that a simulation may end at [s] where its master does not know better."""
+"""Default stop time of a simulation [s]."""
 EXCHANGED = ("club", "ball", "parameters")
-"""Groups of inputs that are parameters of the unit; the delivery is what the master computes."""
+"""Input groups that become parameters of the unit; the delivery is computed by the master."""
 BASE_UNITS = {
     "m": {"m": 1}, "m/s": {"m": 1, "s": -1}, "rad": {"rad": 1}, "rad/s": {"rad": 1, "s": -1}, "s": {"s": 1},
     "kg": {"kg": 1}, "kg m2": {"kg": 1, "m": 2}, "N": {"kg": 1, "m": 1, "s": -2}, "N m": {"kg": 1, "m": 2, "s": -2},
     "Pa": {"kg": 1, "m": -1, "s": -2}, "s/m": {"s": 1, "m": -1}, "N/m3": {"kg": 1, "m": -2, "s": -2},
     "N m/rad": {"kg": 1, "m": 2, "s": -2, "rad": -1}, "N m s/rad": {"kg": 1, "m": 2, "s": -1, "rad": -1},
 }  # fmt: skip
-"""Exponents of the base units; a unit that is not here has its name alone."""
+"""Exponents of the base units; a unit that is not listed has only its name."""
 
 
 class Variable(NamedTuple):
-    """A variable of the unit.
+    """A variable of the co-simulation unit.
 
     Attributes
     ----------
@@ -79,7 +79,7 @@ def write_fmu(
     hand: HandLike | None = None,
     version: str = "2.0",
 ) -> Path:
-    """Write a unit for co-simulation, and return its path.
+    """Write a co-simulation unit and return its path.
 
     Its inputs are rotation (a quaternion, real part first), position, velocity and angular velocity of the head; its
     outputs mean force and torque on the head over the last step, place and motion of the ball, and once the ball has
@@ -133,7 +133,7 @@ def write_fmu(
 
 
 def native_library(version: str) -> tuple[bytes, str, str]:
-    """Return the library of this machine, the name of its platform in a unit, and the ending of its name."""
+    """Return this machine's native library, the platform name in a unit, and the file extension."""
     system, suffix = {"linux": ("linux", ".so"), "darwin": ("darwin", ".dylib")}.get(sys.platform, ("windows", ".dll"))
     machine = {"AMD64": "x86_64", "arm64": "aarch64"}.get(platform.machine(), platform.machine())
     file = importlib.resources.files("clubface.export").joinpath("native", f"clubface_fmi{suffix}")
@@ -232,7 +232,7 @@ def _attributes(each: Variable, reference: int) -> dict[str, str]:
 
 
 def _typed(each: Variable) -> dict[str, str]:
-    """Return unit, bounds and start as both versions write them; outputs have no start."""
+    """Return unit, bounds and start value in the form of both FMI versions; outputs have no start value."""
     typed = {"unit": each.unit} if each.kind == "Real" and each.unit != "1" else {}
     if each.bounds is not None:
         typed |= {"min": repr(each.bounds[0]), "max": repr(each.bounds[1])}

@@ -1,4 +1,4 @@
-"""The numbers of a shot in the order of the C interface, as a table that any language reads in a few lines."""
+"""Exports the inputs of a shot, in the order of the C interface, as a table that is easy to read in any language."""
 
 from __future__ import annotations
 

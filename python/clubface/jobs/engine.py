@@ -1,4 +1,4 @@
-"""One engine for long computations: parts that are kept as they are finished, so that nothing is computed twice."""
+"""The engine for long computations: finished parts are kept, so that nothing is computed twice."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Progress = Callable[[int, int], object]
 
 @dataclass(frozen=True)
 class Job(Generic[P, R]):
-    """A long computation that falls into parts, none of which depends on another.
+    """A long computation that consists of independent parts.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ def run(
     finished: Mapping[P, R] | None = None,
     progress: Progress | None = None,
 ) -> dict[P, R]:
-    """Return the result of every part of a job, in the order of the parts.
+    """Return the results of all parts of a job, in order.
 
     Parameters
     ----------
@@ -93,6 +93,6 @@ def run(
 
 
 def interrupted(done: int, whole: int, what: str, folder: Path | None) -> KeyboardInterrupt:
-    """Return the error that says how much is done of interrupted work, and where it is kept."""
+    """Return the error that says how much of the interrupted work is done, and where it is kept."""
     kept = "" if folder is None or not done else f"; they are in {folder}, and the same command goes on after them"
     return KeyboardInterrupt(f"{done} of {whole} {what} are done{kept}")

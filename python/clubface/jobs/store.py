@@ -1,4 +1,4 @@
-"""Finished parts of a long computation, kept in a folder until its result is written, so that it can be resumed.
+"""Keeps the finished parts of a long computation in a folder until its result is written, so that it can be resumed.
 
 The folder holds ``job.json``, which says what the parts belong to; ``values.jsonl``, a line for each finished value,
 with a checksum; ``parts``, for parts that are files; and ``lock``, which one process holds while it works. A damaged
@@ -29,11 +29,11 @@ FOREIGN = "this is not a record of unfinished work; move it away, or give anothe
 DAMAGED = "this record of unfinished work is damaged"
 START_AGAIN = "start again without resuming"
 FLUSH_INTERVAL = 0.5
-"""A finished value is on the disk after this time [s] at most; small values are written together."""
+"""Longest time until a finished value is on disk [s]; small values are written together."""
 
 
 def unfinished_folder(path: Path, inputs: Iterable[str | os.PathLike[str]] = ()) -> Path:
-    """Return the folder that keeps the finished parts of a file until it is complete; no input may lie in it."""
+    """Return the folder for the finished parts of an output file; no input may be inside it."""
     folder = path.with_name(path.name + ".unfinished")
     for each in inputs:
         place = Path(place_of(each))
@@ -44,7 +44,7 @@ def unfinished_folder(path: Path, inputs: Iterable[str | os.PathLike[str]] = ())
 
 
 def store_for(output: str | os.PathLike[str] | None, content: Mapping[str, Any], **options: Any) -> Finished:
-    """Return what keeps the finished parts of an output file; where no file is written, they are kept for this run.
+    """Return the store for the finished parts of an output file; without a file, they are kept for this run only.
 
     The options are those of :class:`Store`.
     """
@@ -54,7 +54,7 @@ def store_for(output: str | os.PathLike[str] | None, content: Mapping[str, Any],
 
 
 class Finished:
-    """The finished values of one computation, by name, kept for this run alone.
+    """The finished values of one computation, by name, kept for this run only.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class Finished:
 
     @property
     def folder(self) -> Path | None:
-        """The folder in which they are kept, if any."""
+        """The folder of the store, if there is one."""
         return None
 
     def __enter__(self) -> Self:
@@ -99,26 +99,26 @@ class Finished:
         self._values[name] = value
 
     def once(self, name: str, compute: Callable[[], Any]) -> Any:
-        """Return a value: the kept one, or one that is computed and kept now."""
+        """Return the kept value, or compute and keep it."""
         if name not in self._values:
             self.keep(name, compute())
         return self._values[name]
 
     def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
-        """Write the result of the computation, whole or not at all."""
+        """Write the result of the computation, completely or not at all."""
         with whole_file(path) as file:
             write(file)
 
     def remove(self) -> None:
-        """Forget the values: the computation is finished."""
+        """Remove the values when the computation is finished."""
         self._values = {}
 
     def close(self) -> None:
-        """Keep the values for another run, where there is a folder."""
+        """Keep the values for another run, if there is a folder."""
 
 
 class Store(Finished):
-    """The finished values of one computation, by name, and parts that are files, in a folder.
+    """The finished values of one computation, by name, and its part files, in a folder.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ class Store(Finished):
         return self._folder
 
     def _claim_folder(self, resume: bool, remedy: str) -> None:
-        """Make the folder that of this computation; refuse or remove the parts of another one."""
+        """Claim the folder for this computation; refuse or remove the parts of another one."""
         record, begun = self._folder / RECORD, dict[str, str]()
         with suppress(FileError):
             begun = read_record(record, DAMAGED)
@@ -190,7 +190,7 @@ class Store(Finished):
         write_record(record, self._content)
 
     def _read_values(self) -> dict[str, Any]:
-        """Return the values whose lines are whole and belong to this computation."""
+        """Return the values whose lines are complete and belong to this computation."""
         try:
             lines = (self._folder / VALUES).read_bytes().split(b"\n")
         except OSError:
@@ -213,7 +213,7 @@ class Store(Finished):
             self.flush()
 
     def flush(self) -> None:
-        """Write all values to the disk."""
+        """Write all values to disk."""
         if self._fresh:
             texts = [json.dumps(each).encode() for each in self._fresh.items()]
             lines = [b"%b %b\n" % (self._checksum(each).encode(), each) for each in texts]
@@ -229,7 +229,7 @@ class Store(Finished):
         self._written = time.monotonic()
 
     def file(self, name: str) -> Path:
-        """Return the path of a part that the caller writes, such as the store of a computation within this one."""
+        """Return the path for a part that the caller writes, such as the store of a nested computation."""
         return prepare_parent(self._folder / PARTS / name)
 
     def keep_part(self, name: str, content: bytes) -> str:
@@ -239,21 +239,21 @@ class Store(Finished):
         return hashlib.sha256(content).hexdigest()
 
     def part(self, name: str, checksum: str) -> Path | None:
-        """Return the file of a part with this checksum, or None where it is missing or damaged."""
+        """Return the file of a part with this checksum, or None if it is missing or damaged."""
         path = self._folder / PARTS / name
         with suppress(OSError), open(path, "rb") as file:
             return path if hashlib.file_digest(file, "sha256").hexdigest() == checksum else None
         return None
 
     def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
-        """Write the result as :func:`.whole_file` does; until it is whole, it lies in the folder of the store."""
+        """Write the result as :func:`.whole_file` does, by way of the folder of the store."""
         self.flush()
         sibling = same_file(path.parent, self._folder.parent)
         with whole_file(path, folder=self._folder if sibling else None) as file:
             write(file)
 
     def remove(self) -> None:
-        """Remove the folder: the computation is finished."""
+        """Remove the folder when the computation is finished."""
         self._fresh, self._values, self._finished = {}, {}, True
         with suppress(OSError):
             for each in self._folder.iterdir():
@@ -266,7 +266,7 @@ class Store(Finished):
             self._folder.rmdir()
 
     def close(self) -> None:
-        """Write all values to the disk, for another run; an empty folder is removed."""
+        """Write all values to disk for another run; remove an empty folder."""
         try:
             self.flush()
         finally:
@@ -282,7 +282,7 @@ class Store(Finished):
 
 
 def _check_folder(folder: Path) -> None:
-    """Refuse a folder that holds anything but unfinished work."""
+    """Refuse a folder that contains anything but unfinished work."""
     try:
         names = [each.name for each in folder.iterdir() if each.name[0] != "."]
     except FileNotFoundError:
@@ -296,7 +296,7 @@ def _check_folder(folder: Path) -> None:
 
 
 def prepare_parent(path: Path) -> Path:
-    """Return a path that is to be written, whose folder exists on the disk."""
+    """Return an output path after creating its folder."""
     if not path.parent.is_dir():
         prepared_folder(path.parent)
         synced(path.parent.parent)
@@ -307,14 +307,14 @@ MAX_RECORD_BYTES = 64_000_000
 
 
 def write_record(path: Path, values: Mapping[str, Any], *, new: bool = False) -> None:
-    """Write a small JSON file with a checksum; a ``new`` file that exists already is an error."""
+    """Write a small JSON file with a checksum; with ``new``, an existing file is an error."""
     text = json.dumps(values)
     checksum = hashlib.sha256(text.encode()).hexdigest()
     write_text(path, f'{{"sum": "{checksum}", "values": {text}}}', new=new)
 
 
 def read_record(path: Path, damaged: str) -> dict[str, Any]:
-    """Return what :func:`write_record` wrote; anything else is a :class:`FileError` with the message ``damaged``."""
+    """Read a file of :func:`write_record`; raise :class:`FileError` with the message ``damaged`` for any other."""
     try:
         record = json.loads(path.read_bytes()) if path.stat().st_size <= MAX_RECORD_BYTES else {}
         if record["sum"] == hashlib.sha256(json.dumps(record["values"]).encode()).hexdigest():

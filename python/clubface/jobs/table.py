@@ -1,4 +1,4 @@
-"""A table of long computations in a CSV file, a row each, to which further runs of the same work add rows."""
+"""A CSV table of long computations, one per row, to which later runs of the same work add rows."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from clubface.support.fingerprint import fingerprint
 __all__ = ["Place", "Row", "run_table"]
 
 Place = tuple[float, float]
-"""The values of the first two columns, by which a row is known."""
+"""The values of the first two columns, which identify a row."""
 Row = Mapping[str, Any]
 
 
@@ -33,7 +33,7 @@ def run_table(
     workers: int | None = None,
     progress: Progress | None = None,
 ) -> list[Row]:
-    """Return the rows of a job; those that its table has already are not computed again.
+    """Return the rows of a job; rows already in its table are not computed again.
 
     Until all rows are finished, those that are lie in a store next to the table. Then they are written together: first
     the rows of this job, then those that the table had besides.
@@ -81,18 +81,18 @@ def run_table(
 
 
 def _finished(job: Job[Place, Row], rows: Mapping[Place, Row]) -> dict[Place, Row]:
-    """Return those of the rows of a table that are results of a job."""
+    """Return the rows of a table that are results of a job."""
     present = {place: rows[_key(place)] for place in job.parts if _key(place) in rows}
     return {place: row for place, row in present.items() if job.accepts(place, row)}
 
 
 def _key(values: Sequence[float]) -> Place:
-    """Return the first two values without the rounding of units on their way."""
+    """Return the first two values, free of rounding by unit conversion."""
     return round(values[0], 9), round(values[1], 9)
 
 
 def _read(path: Path, head: str, columns: Mapping[str, Callable[[str], Any]]) -> dict[Place, Row]:
-    """Return the rows of a table by their places; none where there is no file."""
+    """Return the rows of a table by key; empty without a file."""
     if not path.exists():
         return {}
     lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]

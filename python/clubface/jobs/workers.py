@@ -1,4 +1,4 @@
-"""Where the parts of a job are computed: in this thread, on threads, processes or a Dask cluster, or in shards.
+"""Workers for the parts of a job: this thread, several threads, processes, a Dask cluster, or shards.
 
 Each ``in_`` or ``on_`` function takes parts and what computes one, and yields every part with its result as it is
 finished. Leaving the loop, as Ctrl-C does, stops what is still running.
@@ -39,22 +39,22 @@ __all__ = [
 P = TypeVar("P")
 R = TypeVar("R")
 KeepGoing = Callable[[float, float], object]
-"""Called by a computation with the time that it has reached and its end; it raises an error where it must stop."""
+"""Called by a computation with the time reached and its end; raises an error if it must stop."""
 MAX_WORKERS = 1024
 POLL_INTERVAL = 0.05
-"""Time [s] after which Ctrl-C and lost connections are noticed, at most."""
+"""Longest time until Ctrl-C and lost connections are noticed [s]."""
 MAX_TRIES = 3
-"""Processes that may die over a part before it is given up."""
+"""Number of processes that may die over a part before it is given up."""
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 def worker_count(workers: int | None) -> int:
-    """Return how many parts are computed at a time: as many as asked for, or one for each processor."""
+    """Return how many parts are computed at a time: as requested, or one per processor."""
     return processors() if workers is None else check_count("workers", workers, 1, MAX_WORKERS)
 
 
 def in_sequence(parts: Iterable[P], compute: Callable[[P], R]) -> Iterator[tuple[P, R]]:
-    """Compute one part after the other in this thread."""
+    """Compute the parts one after another in this thread."""
     for part in parts:
         yield part, compute(part)
 
@@ -62,7 +62,7 @@ def in_sequence(parts: Iterable[P], compute: Callable[[P], R]) -> Iterator[tuple
 def in_threads(
     parts: Iterable[P], compute: Callable[[P, KeepGoing, int], R], *, workers: int | None = None
 ) -> Iterator[tuple[P, R]]:
-    """Compute several parts at a time on threads, for what is compiled and lets other threads run.
+    """Compute several parts at a time on threads, for compiled code that lets other threads run.
 
     ``compute`` takes a part, a function to call as it proceeds, and the number of threads it may use itself. That is
     one, except for the last parts where there are fewer of them than workers.
@@ -91,7 +91,7 @@ def in_threads(
 
 
 def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int | None = None) -> Iterator[tuple[P, R]]:
-    """Compute several parts at a time on processes of this machine, each on one thread.
+    """Compute several parts at a time in processes on this machine, each with one thread.
 
     A part whose process dies is given to another one. ``compute``, parts and results are pickled.
 
@@ -149,7 +149,7 @@ def _completed(
     again: deque[P] | None = None,
     check: Callable[[], object] = lambda: None,
 ) -> Iterator[tuple[P, Future[R]]]:
-    """Yield each part whose computation has ended, with its future; ``width()`` of them are computed at a time.
+    """Yield each finished part with its future; ``width()`` parts are computed at a time.
 
     Parts that are put into ``again`` are submitted once more, before the others.
     """
@@ -174,20 +174,20 @@ def _completed(
 
 
 class _Process:
-    """An executor on one process, so that the death of one costs the others nothing."""
+    """An executor with one process, so that the others survive its death."""
 
     def __init__(self) -> None:
         self._context = _Context()
         self.executor = ProcessPoolExecutor(1, self._context, initializer=_begin_worker)
 
     def kill(self) -> None:
-        """End the process at once: what it has finished is kept already."""
+        """Kill the process; its finished work is already kept."""
         for process in self._context.started:
             with suppress(ValueError, OSError):
                 process.kill()
 
     def end(self) -> str:
-        """Wait until the process has ended; return how."""
+        """Wait until the process has ended; return how it ended."""
         self.executor.shutdown(cancel_futures=True)
         code = next((each.exitcode for each in self._context.started), None)
         if code is not None and code < 0:
@@ -197,7 +197,7 @@ class _Process:
 
 
 class _Context(SpawnContext):
-    """Starts processes that import this package alone, not the program that runs; Ctrl-C does not reach them.
+    """Starts processes that import only this package, not the running program, and that Ctrl-C does not reach.
 
     Attributes
     ----------
@@ -222,7 +222,7 @@ class _WorkerProcess(SpawnProcess):
 
 @contextmanager
 def _for_worker() -> Iterator[None]:
-    """Change for a while what a process that starts takes over from this one."""
+    """Temporarily change what a new process inherits from this one."""
     program, variables = sys.modules["__main__"], {name: os.environ.get(name) for name in THREAD_VARIABLES}
     # Otherwise a script without `if __name__ == "__main__"` would run again in each process.
     sys.modules["__main__"] = ModuleType("__main__")
@@ -241,7 +241,7 @@ def _for_worker() -> Iterator[None]:
 
 
 def _begin_worker() -> None:
-    """Prepare a worker process: no Ctrl-C, nothing printed, no warnings, and no life without the main process."""
+    """Prepare a worker process: it ignores Ctrl-C, prints and warns of nothing, and ends with the main process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.dup2(2, 1)
     warnings.simplefilter("ignore")
@@ -251,20 +251,20 @@ def _begin_worker() -> None:
 
 
 CHUNKS_PER_THREAD = 3
-"""Parts in flight for each thread of the cluster, so that no worker waits for the next."""
+"""Parts in flight per thread of the cluster, so that no worker is idle."""
 MAX_LOSSES = 5
 """How often the scheduler may lose a part before it is given up."""
 SCHEDULER_TIMEOUT = 15.0
-"""Time [s] to wait for the scheduler."""
+"""Longest time to wait for the scheduler [s]."""
 FIRST_WORKER_TIMEOUT = 60.0
-"""Time [s] to wait for the first worker."""
+"""Longest time to wait for the first worker [s]."""
 RECOUNT_INTERVAL = 2.0
-"""Time [s] after which the threads of the cluster are counted again, since workers come and go."""
+"""Interval at which the threads of the cluster are counted, because workers come and go [s]."""
 LOGGERS = ("distributed", "distributed.client", "distributed.comm", "distributed.core", "tornado", "asyncio")
 
 
 def on_cluster(parts: Iterable[P], compute: Callable[[P], R], *, address: str) -> Iterator[tuple[P, R]]:
-    """Compute parts on the workers of a Dask cluster, which need this version of clubface.
+    """Compute parts on the workers of a Dask cluster, which must have the same version of clubface.
 
     Parameters
     ----------
@@ -331,7 +331,7 @@ def _on_client(client: Any, parts: Iterable[P], compute: Callable[[P], R], addre
 
 
 def _threads(client: Any, address: str) -> int:
-    """Return the threads of all workers; wait for the first of these."""
+    """Return the number of threads of all workers, after waiting for the first worker."""
     ends = time.monotonic() + FIRST_WORKER_TIMEOUT
     while time.monotonic() < ends:
         with suppress(OSError, TimeoutError):
@@ -342,7 +342,7 @@ def _threads(client: Any, address: str) -> int:
 
 
 def _check_scheduler(address: str) -> None:
-    """Refuse an address at which no scheduler answers: Dask's client waits without end for a server of another kind."""
+    """Refuse an address at which no scheduler answers; Dask's client would wait forever for another kind of server."""
     from distributed import rpc
     from distributed.utils import LoopRunner
 
@@ -362,7 +362,7 @@ def _check_scheduler(address: str) -> None:
 
 @contextmanager
 def _without_logs() -> Iterator[None]:
-    """Keep Dask's log of lost connections off the screen: one message says what they mean."""
+    """Hide Dask's log of lost connections; one message explains them instead."""
     before = {name: logging.getLogger(name).level for name in LOGGERS}
     for name in LOGGERS:
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
@@ -378,18 +378,18 @@ MAX_SHARDS = 1_000_000
 
 
 class Shard(NamedTuple):
-    """One of several jobs that share the parts, every n-th each: its number, from 1 on, and how many there are."""
+    """One of several jobs that share the parts, every n-th part each: its number, from 1, and the number of jobs."""
 
     number: int
     shards: int
 
     def of_all(self, parts: int) -> range:
-        """Return which of all parts fall to it."""
+        """Return the parts that belong to this shard."""
         return range(self.number - 1, parts, self.shards)
 
 
 def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
-    """Return the shard that a text means.
+    """Parse a shard such as "2/8".
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A report as one file, HTML or Markdown, which needs no other: its pieces, with pictures and data inside."""
+"""A report as one self-contained file, HTML or Markdown, with its pictures and data inside."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from clubface.support.files import write_text
 
 
 class Data(NamedTuple):
-    """Numbers behind a picture or table, which a reader can save as CSV.
+    """The numbers behind a picture or table, which a reader can save as CSV.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class Heading(NamedTuple):
 
 
 class Paragraph(NamedTuple):
-    """Running text, a sentence an entry."""
+    """Running text, one sentence per entry."""
 
     texts: Sequence[str]
 
@@ -82,7 +82,7 @@ class DocumentPicture(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """The text of a file that went in, which a reader can save under its ``name``."""
+    """The text of an input file, which a reader can save under its ``name``."""
 
     name: str
     text: str
@@ -93,7 +93,7 @@ class PageBreak(NamedTuple):
 
 
 class Appendix(NamedTuple):
-    """Technical details: a section that is closed until a reader opens it, and an appendix in Markdown."""
+    """Technical details: collapsed until the reader opens them; in Markdown, an appendix."""
 
     title: str
     blocks: Sequence[Block]
@@ -133,20 +133,20 @@ _STYLE = (
     "details{break-before:page}details:not([open]){display:none}}"
 )
 PRINTED = 9.0
-"""Size of the letters of a table in print [pt]."""
+"""Font size of a printed table [pt]."""
 SMALLEST = 6.0
-"""The least to which they shrink [pt] before a table is printed in parts."""
+"""Smallest font size [pt] before a table is split into parts."""
 PAPER = 480.0
-"""Width between the margins of a sheet of A4, with something to spare [pt]."""
+"""Width between the margins of an A4 page, with some spare [pt]."""
 LETTER, GAP = 0.66, 0.8
-"""Width of a digit of the widest usual type, and of the space round a cell, over the size of the letters."""
+"""Width of a digit in the widest common font, and of the space around a cell, relative to the font size."""
 NUMBER = 24
-"""Letters of a cell beyond which it is no number, and its column stands to the left."""
+"""Longest cell that counts as a number; columns with longer cells are aligned to the left."""
 _ADDRESS = re.compile(
     r"(?P<url>https?://[^\s<>()\"]+)|doi:? ?(?P<doi>10\.\d{4,9}/[^\s<>()\",;]+)"
     r"|(?P<page>\b(?:[a-z0-9-]+\.)+(?:com|org|net|edu|gov|io|ca|uk)/[^\s<>()\",;:]+)"
 )
-"""What is an address in a text: a whole one, a DOI, or that of a page without https."""
+"""Addresses in a text: a URL, a DOI, or a page without https."""
 
 
 def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Path:
@@ -156,7 +156,7 @@ def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Pat
 
 
 def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Refuse a report of another kind, before any work."""
+    """Refuse another kind of report before any work is done."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
         raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
@@ -176,7 +176,7 @@ def as_html(blocks: Sequence[Block]) -> str:
 
 
 def as_markdown(blocks: Sequence[Block]) -> str:
-    """Return a report as Markdown, its pictures as data in it."""
+    """Return a report as Markdown, with its pictures embedded as data."""
     return "\n\n".join(filter(None, map(_markdown, blocks))) + "\n"
 
 
@@ -220,7 +220,7 @@ def _is_tall(svg: str) -> bool:
 
 
 def _html_table(table: TextTable) -> str:
-    """Return a table that scrolls on a screen, and on paper is as small as its width asks, or in parts.
+    """Return a table that scrolls on a screen; on paper it is shrunk to fit the page, or split into parts.
 
     Numbers are never broken. Every part repeats the first column.
     """
@@ -253,14 +253,14 @@ def _html_table(table: TextTable) -> str:
 
 
 def _width(table: TextTable, place: int, *, text: bool) -> float:
-    """Return the least width of a column over the size of its letters; words may be broken, numbers not."""
+    """Return the minimum width of a column, relative to the font size; words may be broken, numbers may not."""
     letters = max(map(len, table.headings[place].split()), default=1)
     cells = max((len(row[place]) for row in table.rows), default=1)
     return LETTER * max(letters, min(cells, NUMBER) if text else cells) + GAP
 
 
 def _parts(widths: Sequence[float]) -> list[list[int]]:
-    """Return the columns that are printed together, in order: all, or as many as fit, with the first before each."""
+    """Return groups of columns that fit on a page, each starting with the first column."""
     most = PAPER / SMALLEST
     parts, room = [[0]], most - widths[0]
     for place, width in enumerate(widths[1:], 1):
@@ -293,12 +293,12 @@ def _markdown(block: Block) -> str:
 
 
 def file_name(text: str) -> str:
-    """Return words as the name of a file: small letters, digits and hyphens."""
+    """Return text as a file name: lower-case letters, digits and hyphens."""
     return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")[:60] or "picture"
 
 
 def _plain(text: str) -> str:
-    """Return a text in one line that Markdown shows as it is, without tags, links and pictures of its own."""
+    """Return text as one line that Markdown shows literally, without tags, links or pictures in it."""
     one = " ".join(text.split())
     return re.sub(r"[\\`\[\]]", r"\\\g<0>", one.replace("&", "&amp;").replace("<", "&lt;"))
 
@@ -308,7 +308,7 @@ def _cell(text: str) -> str:
 
 
 def _linked(text: str) -> str:
-    """Return a text as HTML: the addresses in it as links, commands between backticks as code."""
+    """Return text as HTML, with addresses as links and commands in backticks as code."""
     result, end = [], 0
     for each in _ADDRESS.finditer(text):
         words = each[0].rstrip(".,;:")

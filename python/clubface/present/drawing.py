@@ -1,4 +1,4 @@
-"""Draws the specification of a picture for paper and screen, in the style of all pictures."""
+"""Draws pictures from their specification, in one style, for paper and screen."""
 
 from __future__ import annotations
 
@@ -25,25 +25,25 @@ from clubface.results.pictures import Axis, Mark, Panel, Picture
 from clubface.support.files import whole_file
 
 ROW_HEIGHT = 2.4
-"""Inches of a row of panels unless a picture says its height."""
+"""Default height of a row of panels [inches]."""
 NARROW = 3.9
-"""Inches of a picture in the window of a telephone."""
+"""Width of a picture on a phone screen [inches]."""
 AROUND = 0.7
-"""Inches above and below the axes of a panel, for its title, numbers and label, which do not shrink with it."""
+"""Space above and below the axes of a panel for title, tick labels and axis label, which keep their size [inches]."""
 LONGEST_NAMES = 60
-"""Letters of all names below a panel, beyond which they are turned; two thirds of it in a narrow picture."""
+"""Total length of the names below a panel above which they are rotated; two thirds of it in a narrow picture."""
 LETTERS = {"title": 16.0, "footnote": 20.0}
-"""Letters of a line above or below the panels, an inch."""
+"""Characters per inch in a line above or below the panels."""
 _GREYS = {-1: "0.5", -2: "0.1", -3: "white"}
 
 
 def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
-    """Return a picture as a figure of matplotlib; ``shown_units`` are those a person asked for, by quantity."""
+    """Return a picture as a matplotlib figure; ``shown_units`` are the requested units, by quantity."""
     return _draw(picture.in_units(shown_units) if shown_units else picture, WIDTH)
 
 
 def draw_narrow(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
-    """Return a picture as :func:`draw` does, for the window of a telephone: its panels stand below each other."""
+    """Return a picture for a phone screen, with its panels below each other; otherwise as :func:`draw`."""
     return _draw(_stacked(picture.in_units(shown_units) if shown_units else picture), NARROW)
 
 
@@ -52,7 +52,7 @@ def _height(picture: Picture) -> float:
 
 
 def _stacked(picture: Picture) -> Picture:
-    """Return a picture with one panel a row, each as high as it was, or as wide for its height if scales are equal."""
+    """Return a picture with one panel per row; panels keep their height, or with equal scales their aspect ratio."""
     columns = max(len(row) for row in picture.rows)
     shares = picture.heights or [1.0] * len(picture.rows)
     inches = [_height(picture) * each / sum(shares) for each in shares]
@@ -79,7 +79,7 @@ def _stacked(picture: Picture) -> Picture:
 
 
 def _end_of_tall(rows: Sequence[Sequence[Panel | None]], line: int, place: int) -> int:
-    """Return the row below the last over which a tall panel extends."""
+    """Return the row after the last one that a tall panel spans."""
     below = line + 1
     while below < len(rows) and len(rows[below]) > place and rows[below][place] is None:
         below += 1
@@ -167,7 +167,7 @@ def animate(pictures: Sequence[Picture], path: str | os.PathLike[str], *, second
 
 
 def picture_data(picture: Picture) -> tuple[list[str], list[list[Any]]]:
-    """Return the numbers behind a picture as headings and rows: one row a point of every mark."""
+    """Return the numbers behind a picture as headings and rows, one row per point of every mark."""
     headings = ["panel", "mark", "x", "y", "low", "high", "value", "x unit", "y unit"]
     rows = []
     for number, panel in enumerate(picture.panels(), 1):
@@ -181,7 +181,7 @@ def picture_data(picture: Picture) -> tuple[list[str], list[list[Any]]]:
 
 
 def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
-    """Yield x, y, low, high and value of every point of a mark, in the units drawn."""
+    """Yield x, y, low, high and value of every point of a mark, in the units of the axes."""
     along_x = mark.x0 is not None
     parts = [
         _drawn(mark.x, panel.x), _drawn(mark.y, panel.y),
@@ -206,7 +206,7 @@ def _drawn(values: Any, axis: Axis) -> Any:
 
 
 def _draw_panel(axes: Axes, panel: Panel) -> Any:
-    """Draw a panel; return what its colours show, if it has any."""
+    """Draw a panel; return its colour scale, if it has one."""
     axes.grid(visible=panel.grid)
     floor: dict[str, Any] = {}
     for mark in panel.marks:
@@ -259,12 +259,12 @@ def _head(figure: Figure, picture: Picture) -> None:
 
 
 def _broken(figure: Figure, place: str, text: str) -> str:
-    """Return a text in lines that fit the figure."""
+    """Wrap a text to the width of the figure."""
     return "\n".join(textwrap.fill(line, int(LETTERS[place] * figure.get_figwidth())) for line in text.split("\n"))
 
 
 def _key(mark: Mark) -> Any:
-    """Return the entry of a mark in a legend."""
+    """Return the legend entry of a mark."""
     if mark.kind in ("bars", "area", "stack", "band", "steps", "shade"):
         return Patch(facecolor=_colour(mark), alpha=0.6, label=mark.label)
     if mark.kind == "points" or (mark.kind == "intervals" and mark.symbol):
@@ -366,7 +366,7 @@ def _steps(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
 
 
 def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    """Fill between round levels, cut along an outline where there is one."""
+    """Fill between round contour levels, clipped to an outline if there is one."""
     low, high = _ends(mark, panel)
     if not high - low > 1e-9 * max(abs(low), abs(high), 1e-9):
         low, high = low - 0.5, high + 0.5
@@ -427,7 +427,7 @@ def _slope(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
 
 
 def _text(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    """Write texts at their places, or in the middle of a panel that has nothing else."""
+    """Write texts at their positions, or in the middle of an otherwise empty panel."""
     if mark.x is None:
         axes.set_axis_off()
         axes.text(0.5, 0.5, "\n".join(mark.texts), transform=axes.transAxes, ha="center", va="center",
@@ -445,7 +445,7 @@ def _shade(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
 
 
 def _ends(mark: Mark, panel: Panel) -> tuple[float, float]:
-    """Return the least and the greatest value of a mark, unless the axis of values has limits."""
+    """Return the smallest and the largest value of a mark, unless its value axis has limits."""
     axis = panel.values or Axis()
     values = np.asarray(_drawn(mark.values, axis))
     low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
@@ -455,7 +455,7 @@ def _ends(mark: Mark, panel: Panel) -> tuple[float, float]:
 
 
 def _extent(mark: Mark, panel: Panel, ends: tuple[float, float] | None = None) -> dict[str, Any]:
-    """Return the map of colours and its ends."""
+    """Return the colour map and its limits."""
     low, high = ends or _ends(mark, panel)
     if panel.diverging:
         most = max(abs(low), abs(high), 1e-12)

@@ -1,4 +1,4 @@
-"""Results in files: JSON, and tables as CSV or Parquet, with all digits."""
+"""Writes results to files with all digits: JSON, and tables as CSV or Parquet."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from clubface.support.checks import plain
 from clubface.support.files import whole_file, write_text
 
 TABLES = (".csv", ".tsv", ".parquet", ".pq")
-"""How the name of a table may end."""
+"""Endings of table files."""
 
 
 def json_text(document: Any, *, indent: int | None = 2) -> str:
-    """Return JSON in the letters of its texts; NaN and infinities are null, what no terminal should get is escaped."""
+    """Return JSON text; NaN and infinities become null, and control characters are escaped."""
     text = json.dumps(plain(document), indent=indent, allow_nan=False, ensure_ascii=False)
     return "".join(each if each.isprintable() or each == "\n" else json.dumps(each)[1:-1] for each in text)
 
 
 def csv_text(table: Table, delimiter: str = ",") -> str:
-    """Return a table as the text of a CSV file, numbers with all their digits."""
+    """Return a table as CSV text; numbers keep all their digits."""
     kept = io.StringIO()
     csv.writer(kept, delimiter=delimiter, lineterminator="\n").writerows(table.csv_rows())
     return legible(kept.getvalue(), LINES)

@@ -1,4 +1,4 @@
-"""A result in a folder: a page, JSON, the tables and the pictures, each as a file."""
+"""Writes a result to a folder: a page, JSON, the tables and the pictures, each as a file."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def write_folder(
     pages: Sequence[str] = (".md",),
     tables: Mapping[str, Table] | None = None,
 ) -> list[Path]:
-    """Write a result into a folder, which is made if need be; return the files.
+    """Write a result to a folder, creating it if needed; return the files.
 
     The page (Markdown), JSON and the main table (CSV) are called as the kind of the result, the other tables and the
     pictures (PNG and SVG) by their names.

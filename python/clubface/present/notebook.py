@@ -1,4 +1,4 @@
-"""A result in a notebook: its tables and notes as a fragment of HTML."""
+"""Shows a result in a notebook: its tables and notes as an HTML fragment."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from clubface.present.terminal import headings_and_rows, values_of
 from clubface.results.result import Result
 
 MOST_ROWS = 60
-"""Rows of a table that a notebook shows."""
+"""Maximum number of table rows in a notebook."""
 
 
 def as_fragment(result: Result) -> str:

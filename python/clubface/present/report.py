@@ -1,4 +1,4 @@
-"""A result as a report: what came out in words, pictures, tables with their data, and what it all was computed from."""
+"""A result as a report: a summary in words, pictures, tables with their data, and provenance."""
 
 from __future__ import annotations
 
@@ -39,18 +39,18 @@ WORKS = {
     "golf scores, Proceedings of the Winter Simulation Conference",
     "TrackMan Combine": "TrackMan (2024): averages of the TrackMan Combine by handicap",
 }
-"""Works that other sources name in short, in full, by a pattern of the short name."""
+"""Full references of works that are cited briefly, by a pattern of the short form."""
 
 
 def write_report(
     result: Result, path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None, command: str = ""
 ) -> Path:
-    """Write a result as one file, HTML or Markdown by its ending; ``command`` is what computes it again."""
+    """Write a result as one file, HTML or Markdown by its ending; ``command`` is the command that computes it again."""
     return write_document(list(report_blocks(result, units=units, command=command)), path)
 
 
 def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, command: str = "") -> Iterator[Block]:
-    """Yield the pieces of the report on a result.
+    """Yield the blocks of the report on a result.
 
     If some of its parts belong in the appendix, its provenance stands there too.
     """
@@ -65,7 +65,7 @@ def report_blocks(result: Result, *, units: Mapping[str, str] | None = None, com
 
 
 def _appendices(result: Result) -> Iterator[Result]:
-    """Yield the parts of a result, and their parts, that belong in the appendix."""
+    """Yield the parts of a result, at any depth, that belong in the appendix."""
     for each in result.parts:
         if each.placement == "appendix":
             yield each
@@ -74,7 +74,7 @@ def _appendices(result: Result) -> Iterator[Result]:
 
 
 def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) -> Iterator[Block]:
-    """Yield the pieces of a result and of its parts, whose headings are of the next level."""
+    """Yield the blocks of a result and of its parts; the headings of parts are one level deeper."""
     yield Heading(level, result.title)
     if result.assumptions:
         yield Paragraph(tuple(each.sentence for each in result.assumptions))
@@ -101,7 +101,7 @@ def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) 
 
 
 def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> Iterator[Block]:
-    """Yield the pictures of a result with the numbers behind them."""
+    """Yield the pictures of a result, each with the numbers behind it."""
     pictures = result.pictures()
     if not pictures:
         return
@@ -119,7 +119,7 @@ def picture_blocks(result: Result, units: Mapping[str, str] | None = None) -> It
 
 
 def table_blocks(result: Result, units: Mapping[str, str] | None = None, prefix: str = "") -> Iterator[Block]:
-    """Yield the values and tables of a result as people read them, each with its numbers as CSV.
+    """Yield the values and tables of a result as shown to people, each with its numbers as CSV.
 
     The names of the CSV files begin with the ``prefix``.
     """
@@ -167,7 +167,7 @@ def _computed(provenance: Provenance) -> Iterator[str]:
 
 
 def _repeat_blocks(provenance: Provenance, command: str) -> Iterator[Block]:
-    """Yield the end of a report: the command, the files that it read, and their texts."""
+    """Yield the end of a report: the command, the files it read, and their texts."""
     if not (command or provenance.files or provenance.descriptions):
         return
     yield Heading(2, "To compute it again")

@@ -1,4 +1,4 @@
-"""How all pictures look: type, lines, one colour and dash a model, files."""
+"""The style of all pictures: fonts, lines, one colour and dash pattern per model, file formats."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#8C510A", "#7F7F7F")
-"""One a model, in the order of the registry, the last for finite elements; colour-blind readers tell them apart (Okabe
-and Ito, brown and grey)."""
+"""One per model, in the order of the registry, the last for finite elements; distinguishable by colour-blind readers
+(Okabe and Ito, brown and grey)."""
 _FOUR: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)))
 DASHES: tuple[Any, ...] = (*_FOUR, *_FOUR, (0, (9, 1.2)))
-"""So that a print without colour keeps them apart."""
+"""Dash patterns, so that models can be told apart in black and white."""
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "h")
 ENDINGS = (".png", ".svg", ".pdf")
 UNDATED: dict[str, dict[str, None]] = {"png": {}, "svg": {"Date": None}, "pdf": {"CreationDate": None}}
-"""What says to each format that a picture has no date, so that the same figure gives the same bytes."""
+"""Metadata that leaves out the date in each format, so that the same figure gives the same bytes."""
 POINTS = 72.0
-"""An inch, as vector formats count."""
+"""Points per inch in vector formats."""
 WIDTH = 7.2
-"""Inches: two columns of a journal."""
+"""Width of two journal columns [inches]."""
 
 _STYLE: dict[Any, Any] = {
     "font.size": 8.0,
@@ -69,7 +69,7 @@ _STYLE: dict[Any, Any] = {
 
 
 def _settings() -> dict[Any, Any]:
-    """Return every setting but the backend: matplotlib's own defaults, and the style over them."""
+    """Return every matplotlib setting except the backend: its defaults, overridden by the style."""
     defaults = {key: value for key, value in mpl.rcParamsDefault.items() if key != "backend"}
     return {**defaults, **_STYLE}
 
@@ -86,12 +86,12 @@ def styled(draw: Callable[P, R]) -> Callable[P, R]:
 
 
 def look(model: str) -> dict[str, Any]:
-    """Return colour and dash of a model's lines."""
+    """Return the colour and dash pattern of a model's lines."""
     return {"color": COLOURS[_index(model) % len(COLOURS)], "linestyle": DASHES[_index(model) % len(DASHES)]}
 
 
 def marker(model: str) -> dict[str, Any]:
-    """Return colour and shape of a model's points."""
+    """Return the colour and shape of a model's points."""
     index = _index(model)
     return {"color": COLOURS[index % len(COLOURS)], "marker": MARKERS[index % len(MARKERS)], "linestyle": "none"}
 
@@ -107,7 +107,7 @@ def _models() -> list[str]:
 
 
 def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = None) -> None:
-    """Put one legend, with the title of the figure, above all panels, where it covers nothing."""
+    """Put one legend and the title of the figure above all panels, where they cover nothing."""
     handles = list(lines)
     width = sum(len(str(each.get_label())) + 6 for each in handles)
     room = 110 * figure.get_figwidth() / WIDTH
@@ -147,7 +147,7 @@ def _render(figure: Figure, file: IO[Any], kind: str) -> None:
 
 
 def _make_legible(figure: Figure) -> None:
-    """Write out the characters of names of files, clubs and players that no picture should get."""
+    """Escape control characters in the names of files, clubs and players."""
     for each in figure.findobj(Text):
         if isinstance(each, Text) and (text := legible(each.get_text(), LINES)) != each.get_text():
             each.set_text(text)

@@ -1,4 +1,4 @@
-"""A result on the terminal: tables laid out to its width, notes below them.
+"""Prints a result on the terminal: tables laid out to its width, notes below them.
 
 Loading a library for tables takes longer than a shot, so the layout is made here.
 """
@@ -18,29 +18,29 @@ from clubface.results.result import Result
 from clubface.results.table import Column, Table
 
 WIDEST = 120
-"""Letters of a line of text."""
+"""Characters in a line of text."""
 NARROWEST = 14
-"""Letters to which a column of words is wrapped before a table continues below."""
+"""Width to which a text column is wrapped before a table continues below."""
 LONGEST_NUMBER = 24
-"""Letters of a number with its remark, such as "1.20 [0.95, 1.45]"."""
+"""Characters of a number with its remark, such as "1.20 [0.95, 1.45]"."""
 
 
 def terminal_width() -> int | None:
-    """Return the columns of the terminal, or None where the output goes to a file or pipe."""
+    """Return the width of the terminal in characters, or None if the output goes to a file or pipe."""
     if (columns := os.environ.get("COLUMNS", "")).isdecimal():
         return int(columns)
     return os.get_terminal_size(sys.stdout.fileno()).columns if sys.stdout.isatty() else None
 
 
 def print_result(result: Result, units: Mapping[str, str] | None = None) -> None:
-    """Print the tables of a result, its notes, and what else the command can do."""
+    """Print the tables of a result, its notes, and hints at further options of the command."""
     print(as_text(result, units, terminal_width(), emphasis=_shows_bold()))
 
 
 def as_text(
     result: Result, units: Mapping[str, str] | None = None, width: int | None = None, *, emphasis: bool = False
 ) -> str:
-    """Return what the terminal shows of a result.
+    """Return a result as text for the terminal.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def as_text(
 
 
 def note_lines(notes: Sequence[Note], width: int | None = None) -> list[str]:
-    """Return notes as lines with a bullet, each sentence once."""
+    """Return notes as bulleted lines, each sentence once."""
     lines = []
     for sentence in dict.fromkeys(each.sentence for each in notes):
         lines += _wrapped(in_a_line(sentence), width, "* ", "  ")
@@ -83,7 +83,7 @@ def note_lines(notes: Sequence[Note], width: int | None = None) -> list[str]:
 
 
 def values_of(columns: Sequence[Column], units: Mapping[str, str] | None = None) -> list[tuple[str, str, str]]:
-    """Return label, number, and unit with the side to which it is, of the first row of columns that have one."""
+    """Return label, number, and unit with the side, for the columns that have a value in the first row."""
     rows = []
     for each in columns:
         if not each.printed or not (number := each.shown(0, units)):
@@ -102,7 +102,7 @@ def values_of(columns: Sequence[Column], units: Mapping[str, str] | None = None)
 def headings_and_rows(
     table: Table, units: Mapping[str, str] | None = None
 ) -> tuple[list[tuple[str, str]], list[list[str]]]:
-    """Return the headings of a table, as words and unit, and its cells as people read them, in its layout."""
+    """Return the headings of a table, as label and unit, and its cells as shown, in its layout."""
     columns = [each for each in table.columns if each.printed]
     count = range(len(table)) if table.shown_rows is None else table.shown_rows
     if table.layout == "transposed":
@@ -157,7 +157,7 @@ def lay_out(
     summary: bool = False,
     texts: set[int] | None = None,
 ) -> list[str]:
-    r"""Return the lines of a table; one too wide continues below, its first column repeated.
+    r"""Return the lines of a table; one that is too wide continues below, with its first column repeated.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def lay_out(
 
 
 def _list_lines(title: str, rows: Sequence[tuple[str, str, str]], width: int | None, emphasis: bool) -> list[str]:
-    """Return names with their numbers, one below the other, each with its unit."""
+    """Return names and values with units, one below the other."""
     rows = [(legible(name), number, legible(rest)) for name, number, rest in rows]
     names, numbers = (max((len(row[column]) for row in rows), default=0) for column in (0, 1))
     lines = textwrap.wrap(legible(title), width or WIDEST)
@@ -216,13 +216,13 @@ def _list_lines(title: str, rows: Sequence[tuple[str, str, str]], width: int | N
 
 
 def _heading(words: str, unit: str) -> str:
-    """Return a heading of short lines with the unit below."""
+    """Return a heading wrapped to short lines, with the unit below."""
     lines = textwrap.wrap(words, max(9, *map(len, words.split() or [""])), break_long_words=False)
     return "\n".join([*lines, *([unit] if unit else [])])
 
 
 def _holds_numbers(rows: Sequence[Sequence[str]], place: int) -> bool:
-    """Whether a column holds numbers, alone or with a short remark; a formula is words."""
+    """Whether a column holds numbers, alone or with a short remark; a formula counts as text."""
     return all(not row[place] or row[place].lstrip("+-")[:1].isdigit() for row in rows) and not any(
         len(row[place]) > LONGEST_NUMBER for row in rows
     )
@@ -231,7 +231,7 @@ def _holds_numbers(rows: Sequence[Sequence[str]], place: int) -> bool:
 def _wrap_words(
     heads: Sequence[str], body: Sequence[Sequence[str]], left: set[int], width: int | None
 ) -> tuple[list[str], list[list[str]]]:
-    """Wrap the columns of words, the widest first, until a table fits; none gets narrower than ``NARROWEST``."""
+    """Wrap text columns, the widest first, until a table fits; none gets narrower than ``NARROWEST``."""
     rows = [list(heads), *(list(row) for row in body)]
     if width is None:  # a file or pipe takes whole rows, but no cell longer than a line of text
         wrapped = [
@@ -253,7 +253,7 @@ def _wrap_words(
 
 
 def _aligned(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequence[bool], *, top: bool) -> list[str]:
-    """Return the lines of a row; cells of words stand to the left, others to the right."""
+    """Return the lines of a row; text is aligned to the left, numbers to the right."""
     split = [cell.split("\n") for cell in cells]
     height = max(map(len, split))
     filled = [
@@ -297,7 +297,7 @@ def _bold(text: str, emphasis: bool) -> str:
 
 
 def _rule() -> str:
-    """Return what a line is drawn with; the plain character where the terminal has no other."""
+    """Return the character that lines are drawn with: plain ASCII if the terminal has no other."""
     try:
         "─".encode(sys.stdout.encoding or "ascii")
     except UnicodeEncodeError:

@@ -1,4 +1,4 @@
-"""Notes of a result: a code with its data, and the sentence that the catalogue makes of them."""
+"""Notes of a result: a code, its data, and the sentence that the catalogue makes from them."""
 
 from __future__ import annotations
 
@@ -67,14 +67,14 @@ class Note(NamedTuple):
 
 
 def note(code: str, **data: Any) -> Note:
-    """Return a note; the catalogue must know its code, and its sentence must find all it needs in ``data``."""
+    """Return a note; its code must be in the catalogue, and ``data`` must hold everything that the sentence needs."""
     if code not in SENTENCES:
         raise UnknownNameError("note", code, SENTENCES)
     return Note(code, {key: each.item() if hasattr(each, "item") else each for key, each in data.items()})
 
 
 def free_text(sentences: Sequence[str]) -> list[Note]:
-    """Return notes of sentences that another source wrote, such as the caveats in a file of parameters."""
+    """Return sentences from another source, such as the caveats in a parameter file, as notes."""
     return [Note("text", {"text": each}) for each in dict.fromkeys(sentences)]
 
 
@@ -133,7 +133,7 @@ _SENTENCE = _Sentence()
 
 
 def quantity_text(value: float, quantity: Quantity, spec: str = "") -> str:
-    """Return an SI value in words; ``spec`` is its format in a sentence, such as "0", "sides 0" or "faster/slower"."""
+    """Return an SI value as text; ``spec`` is its format in a sentence, such as "0", "sides 0" or "faster/slower"."""
     if words := _WORDS.fullmatch(spec):
         size = format_value(abs(value), quantity, digits=None if words["digits"] is None else int(words["digits"]))
         if words["none"] is not None and _is_zero(size):
@@ -151,7 +151,7 @@ def quantity_text(value: float, quantity: Quantity, spec: str = "") -> str:
 
 
 def entry_text(name: str, value: Any) -> str:
-    """Return what a name stands for in words, as of an entry of a mapping: "launch angle 12.1 deg"."""
+    """Return a named quantity as text, such as "launch angle 12.1 deg"."""
     if isinstance(value, str):
         return f"{name} ({value})"
     if isinstance(value, int):
@@ -180,7 +180,7 @@ def _is_zero(text: str) -> bool:
 
 
 def _listed(values: Mapping[str, Any], spec: str) -> str:
-    """Return the entries of a mapping; ``spec`` is its format in a sentence."""
+    """Return the entries of a mapping as a list in words; ``spec`` is their format."""
     if spec not in ("changes", "values"):
         return _joined(list(map(entry_text, values, values.values())), spec)
     texts = []
@@ -195,7 +195,7 @@ def _listed(values: Mapping[str, Any], spec: str) -> str:
 
 
 def _metric(name: str, value: Any) -> tuple[str, Any]:
-    """Return a name with the metric unit and the value in it; what is no quantity stays as it is."""
+    """Return a name with its metric unit, and the value in that unit; anything but a quantity is returned unchanged."""
     if isinstance(value, Mapping):
         return name, dict(map(_metric, value, value.values()))
     if isinstance(value, (list, tuple)) and value and all(isinstance(each, float) for each in value):

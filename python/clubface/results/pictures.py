@@ -57,12 +57,12 @@ class Axis:
 
     @property
     def unit_drawn(self) -> str:
-        """The unit in which it is drawn."""
+        """The unit in which the axis is drawn."""
         return self.unit or (self.quantity.reading.unit if self.quantity is not None else "1")
 
     @property
     def heading(self) -> str:
-        """Its words with the unit."""
+        """The label with the unit."""
         words = self.label or (self.quantity.label if self.quantity is not None else "")
         unit = unit_text(self.unit_drawn)
         return f"{words} ({unit})" if words and unit else words
@@ -175,7 +175,7 @@ class Picture:
     footnote: str = ""
 
     def in_units(self, shown_units: Mapping[str, str]) -> Picture:
-        """Return it with the units of axes that a person asked for, by quantity."""
+        """Return the picture with the axes in the requested units, by quantity."""
 
         def axis_in(axis: Axis) -> Axis:
             name = None if axis.quantity is None else axis.quantity.name
@@ -190,7 +190,7 @@ class Picture:
         return replace(self, rows=[[panel_in(each) for each in row] for row in self.rows])
 
     def panels(self) -> list[Panel]:
-        """Return its panels, row by row."""
+        """Return the panels, row by row."""
         return [each for row in self.rows for each in row if each is not None]
 
 

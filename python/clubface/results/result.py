@@ -1,4 +1,4 @@
-"""The result of a computation as all surfaces read it, and what it was computed from.
+"""The result of a computation in the form that every output reads, and its provenance.
 
 The surfaces are terminal, JSON, CSV, report, notebook and browser.
 """
@@ -35,7 +35,7 @@ SCHEMA = "clubface-result-1"
 
 
 class FileUsed(NamedTuple):
-    """A file that went into a result: its name without the folder where that is enough, and its fingerprint."""
+    """A file that a result depends on: its name, without the folder where that is unambiguous, and its fingerprint."""
 
     name: str
     bytes: int
@@ -44,7 +44,7 @@ class FileUsed(NamedTuple):
 
 
 class Computation(NamedTuple):
-    """With what launches were computed."""
+    """The equipment, model and settings that launches were computed with."""
 
     club: str
     ball: str
@@ -82,7 +82,7 @@ class Provenance:
     versions: Mapping[str, str] = field(default_factory=lambda: versions())
 
     def with_files(self) -> Provenance:
-        """Return it with the files that the running computation has read so far."""
+        """Return the provenance with the files that the running computation has read so far."""
         return replace(self, files=used_files())
 
     def __add__(self, other: Provenance) -> Provenance:
@@ -112,7 +112,7 @@ MOST_BYTES = 2**17
 
 
 def used_files(read: Iterable[InputFile] | None = None) -> tuple[FileUsed, ...]:
-    """Return the files that the running computation has read, with the texts of descriptions in TOML."""
+    """Return the files that the running computation has read, with the text of TOML descriptions."""
     own = [each for each in (recorded_files() if read is None else read) if not each.shipped]
     used = []
     for name, each in zip(short_names([file.path for file in own]), own, strict=True):
@@ -123,7 +123,7 @@ def used_files(read: Iterable[InputFile] | None = None) -> tuple[FileUsed, ...]:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of what computes."""
+    """Return the versions of clubface and of the libraries it computes with."""
     import numpy as np
 
     return {"clubface": __version__, "python": platform.python_version(), "numpy": np.__version__}
@@ -135,7 +135,7 @@ def _once(items: tuple[Any, ...]) -> tuple[Any, ...]:
 
 @dataclass(frozen=True)
 class Result:
-    """What a computation found.
+    """The result of a computation.
 
     Attributes
     ----------
@@ -183,7 +183,7 @@ class Result:
     draw: Callable[[], Sequence[Picture]] | None = field(default=None, repr=False, compare=False)
 
     def table(self, name: str | None = None) -> Table:
-        """Return a table by its name, or the main one; without tables, the single values are one of one row."""
+        """Return a table by name, or the main one; without tables, the single values form a table of one row."""
         if self.values and not self.tables and name in (None, self.kind):
             return Table(self.kind, self.values, self.title)
         for each in self.tables:
@@ -192,7 +192,7 @@ class Result:
         raise UnknownNameError("table", name, [each.name for each in self.tables])
 
     def pictures(self) -> list[Picture]:
-        """Return its pictures, with what was assumed in their titles."""
+        """Return the pictures, with the assumptions in their titles."""
         pictures = [] if self.draw is None else list(self.draw())
         assumed = [each.sentence for each in self.assumptions]
         return [
@@ -204,7 +204,7 @@ class Result:
         ]  # fmt: skip
 
     def replace(self, **fields: Any) -> Result:
-        """Return it with other fields."""
+        """Return the result with some fields changed."""
         return replace(self, **fields)
 
     def to_dict(self) -> dict[str, Any]:
@@ -265,7 +265,7 @@ class Result:
 
 
 class Presentable:
-    """Gives what a computation returns the surfaces of its :class:`Result` that do not depend on its tables."""
+    """Adds the outputs of :class:`Result` that do not depend on its tables to what a computation returns."""
 
     def to_result(self) -> Result:
         """Return it as a result."""
@@ -280,7 +280,7 @@ class Presentable:
 
 
 class Described(Presentable):
-    """Gives what a computation returns all surfaces of its :class:`Result`; what has its own tables overrides them."""
+    """Adds all outputs of :class:`Result` to what a computation returns; classes with own tables override some."""
 
     def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
         """Return a table of the result, the main one unless named; see :meth:`Result.to_pandas`."""

@@ -1,4 +1,4 @@
-"""Tables of a result: columns of quantities in SI at full precision, and how people read them."""
+"""Tables of a result: columns of quantities in SI at full precision, and how they are shown."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Layout = Literal["rows", "list", "transposed", "pivot"]
 """How a table is printed: a line a row; its one row as a list; a line a column; or its third column over the first
 two, whose values become the headings of lines and columns."""
 FLAT = "flat"
-"""An infinite radius of a face."""
+"""How an infinite radius of a face is written."""
 _SUFFIXES = {"m/s": "mps", "deg/s": "degps", "rad/s": "radps", "km/h": "kmh", "%": "pct"}
 
 
@@ -69,25 +69,25 @@ class Column:
 
     @property
     def is_mixed(self) -> bool:
-        """Whether its rows are of different quantities."""
+        """Whether the rows hold different quantities."""
         return not isinstance(self.quantity, (Quantity, type(None)))
 
     @property
     def heading(self) -> str:
-        """The words above it."""
+        """The heading of the column."""
         own = self.quantity.label if isinstance(self.quantity, Quantity) else ""
         return self.label or own or self.name.replace("_", " ")
 
     @property
     def key(self) -> str:
-        """Its name in files, with the unit: "ball_speed_mps"."""
+        """The name of the column in files, with the unit: "ball_speed_mps"."""
         if not isinstance(self.quantity, Quantity) or self.quantity.metric.unit == "1":
             return self.name
         unit = self.quantity.metric.unit
         return f"{self.name}_{_SUFFIXES.get(unit) or unit.replace(' ', '_').replace('/', '_per_')}"
 
     def exact(self, row: int) -> Any:
-        """Return the value of a row as files have it, with all its digits; None where there is none."""
+        """Return the value of a row for files, with all its digits; None if it is missing."""
         value = self.values[row]
         if hasattr(value, "item"):
             value = value.item()
@@ -101,7 +101,7 @@ class Column:
         return None if isinstance(value, float) and not math.isfinite(value) else value
 
     def shown(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
-        """Return the value of a row as people read it, without its unit."""
+        """Return the value of a row as it is shown, without its unit."""
         value, quantity = self.values[row], self.quantity_at(row)
         if value is None:
             return ""
@@ -118,7 +118,7 @@ class Column:
         return self._number(float(convert(value, unit, difference=self.difference)), digits)
 
     def printed_unit_at(self, row: int, shown_units: Mapping[str, str] | None = None) -> str:
-        """Return the unit in which a row is printed; ``shown_units`` are those a person asked for, by quantity."""
+        """Return the unit in which a row is printed; ``shown_units`` are the requested ones, by quantity."""
         quantity = self.quantity_at(row)
         if quantity is None:
             return "1"
@@ -185,7 +185,7 @@ class Table:
 
     @property
     def file_columns(self) -> tuple[Column, ...]:
-        """The columns that files have; quantities and units that differ from row to row are columns before them."""
+        """The columns of files; quantities and units that differ from row to row become columns at the front."""
         kept: list[Column] = []
         named = any(each.name == "quantity" for each in self.columns)
         before: list[str] | None = None
@@ -202,16 +202,16 @@ class Table:
         return tuple(kept)
 
     def keys(self) -> list[str]:
-        """Return the headings of its file."""
+        """Return the headings of the columns in files."""
         return [each.key for each in self.file_columns]
 
     def records(self) -> list[dict[str, Any]]:
-        """Return its rows as files have them, by the headings of the file: full digits, metric units."""
+        """Return the rows as written to files, by heading: full digits, metric units."""
         columns = self.file_columns
         return [{each.key: each.exact(row) for each in columns} for row in range(len(self))]
 
     def describe(self) -> dict[str, Any]:
-        """Return what its columns are: quantity, unit, label and meaning, by the headings of its file."""
+        """Return quantity, unit, label and meaning of every column, by its heading in files."""
         described = {}
         for each in self.file_columns:
             quantity = each.quantity if isinstance(each.quantity, Quantity) else None
@@ -223,13 +223,13 @@ class Table:
         return described
 
     def csv_rows(self) -> Iterator[list[Any]]:
-        """Yield the headings and the rows of its CSV file; a value that is missing is empty."""
+        """Yield the headings and the rows for a CSV file; missing values are empty."""
         yield self.keys()
         for record in self.records():
             yield ["" if value is None else value for value in record.values()]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return its rows with SI values; ``attrs["units"]`` has the units."""
+        """Return the rows as SI values; ``attrs["units"]`` has the units."""
         import pandas
 
         kept = [each for each in self.columns if each.in_files]
@@ -239,7 +239,7 @@ class Table:
 
 
 def table(name: str, *columns: Column | None, **options: Any) -> Table:
-    """Return a table of those columns that are not None; options are those of :class:`Table`."""
+    """Return a table of the columns that are not None; options as for :class:`Table`."""
     return Table(name, tuple(each for each in columns if each is not None), **options)
 
 

@@ -1,4 +1,4 @@
-"""TOML read strictly: where each key stands, so that every error names file, line and key."""
+"""Strict TOML reader that knows the line of every key, so that errors name file, line and key."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from clubface.support.files import read_input
 __all__ = ["Document", "KeyPath", "quoted"]
 
 MAXIMUM_SIZE = 1_000_000
-"""Bytes; no club, ball or parameter file comes near it."""
+"""Largest file [bytes]; club, ball and parameter files are far smaller."""
 MOST_PARTS = 16
-"""Names in a dotted key, and brackets in brackets; the files of clubface have three."""
+"""Maximum depth of dotted keys and of nested brackets; clubface's files have three."""
 NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
 TWICE = ("Cannot overwrite a value", "Cannot declare")
-"""How the parser begins to tell that a key or a table is there twice."""
+"""Start of the parser's message about a key or table that occurs twice."""
 INTEGERS = range(-(2**63), 2**63)
-"""Whole numbers that TOML has."""
+"""The range of TOML's integers."""
 KeyPath = tuple[str | int, ...]
-"""Keys, and indices in lists, from the top of a document to a value."""
+"""The keys and list indices that lead from the top of a document to a value."""
 TEXTS = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
-"""Texts and comments."""
+"""A pattern of strings and comments."""
 BARE = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.")
-"""Letters of keys without quotes, and the point between parts of one."""
+"""A pattern of bare keys, and of the dot between the parts of a key."""
 LONGEST_KEY = 60
 
 
 class Document:
-    """One TOML file: its content, and where each key stands.
+    """A TOML file: its content and the line of each key.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Document:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Document:
-        """Read the file at ``path``; one missing, too large or not UTF-8 is a :class:`FileError`."""
+        """Read the file at ``path``; raise :class:`FileError` if it is missing, too large or not UTF-8."""
         name, content = os.fspath(path), read_input(path, most=MAXIMUM_SIZE)
         try:
             text = content.decode("utf-8-sig")  # editors of Windows begin with a byte order mark
@@ -74,7 +74,7 @@ class Document:
         return cls(text, name)
 
     def _unquoted(self, number: int | None) -> str:
-        """Say how to write the key of a line if TOML takes it in quotes only."""
+        """Return how to write the key of a line if TOML accepts it only in quotes."""
         line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
         key, equals, _ = (part.strip() for part in line.partition("="))
         if not equals or not key or key[0] in "\"'[" or len(key) > LONGEST_KEY or all(c in BARE for c in key):
@@ -86,14 +86,14 @@ class Document:
         return lines_of(self._text)
 
     def line_of(self, path: KeyPath) -> int | None:
-        """Return the line (from 1) of the value at a path of keys and indices, or of the nearest table around it."""
+        """Return the line (from 1) of the value at a path of keys and indices, or of the nearest enclosing table."""
         for length in range(len(path), 0, -1):
             if path[:length] in self._line_by_path:
                 return self._line_by_path[path[:length]]
         return None
 
     def line_like(self, key: str, path: KeyPath = ()) -> int | None:
-        """Return the line of a key at or below a path, whose names may be joined by points or low lines.
+        """Return the line of a key at or below a path; names may be joined by dots or underscores.
 
         ``shape.loft`` and ``shape_loft`` are ``loft`` in ``[shape]``, and so is ``loft`` alone. Without such a key it
         is the line of the path.
@@ -109,7 +109,7 @@ class Document:
 
 
 def _check_depth(text: str, path: str) -> None:
-    """Refuse keys of many parts and deep nesting, on which a parser would spend gigabytes, before it reads them."""
+    """Refuse keys of many parts and deep nesting, on which the parser would use gigabytes."""
     # What stands in texts and comments does not count; their ends of lines do.
     bare = re.sub(TEXTS, lambda match: "\n" * match[0].count("\n"), text, flags=re.DOTALL)
     if len(bare) <= MOST_PARTS:
@@ -123,7 +123,7 @@ def _check_depth(text: str, path: str) -> None:
 
 
 def _flaw_of(value: Any) -> str:
-    """Say what is in a value that no computation can take, or return nothing."""
+    """Return why no computation can use a value, or nothing."""
     if isinstance(value, dict | list):
         return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
     if isinstance(value, int) and value not in INTEGERS:
@@ -132,13 +132,13 @@ def _flaw_of(value: Any) -> str:
 
 
 def quoted(text: str) -> str:
-    """Write ``text`` as a TOML string, in quotes."""
+    """Return ``text`` as a quoted TOML string."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return f'"{legible(escaped)}"'
 
 
 def _line_in(message: str) -> int | None:
-    """Find the line number in tomllib's "... (at line 3, column 5)"."""
+    """Return the line number in tomllib's "... (at line 3, column 5)"."""
     _, marker, rest = message.partition("at line ")
     digits = rest.split(",")[0]
     return int(digits) if marker and digits.isdigit() else None
@@ -146,7 +146,7 @@ def _line_in(message: str) -> int | None:
 
 @dataclass
 class _Bracket:
-    """A list or an inline table that is open."""
+    """An open list or inline table."""
 
     sign: str
     path: KeyPath
@@ -166,7 +166,7 @@ class _Reader:
     """Index of the latest table of each array of tables."""
 
     def resolve(self, parts: list[str], line: int, start: KeyPath = (), *, heading: int = 0) -> KeyPath:
-        """Return the path that a key of several parts means, and note the line of every part that is new.
+        """Return the path of a dotted key, and record the line of every new part.
 
         ``heading`` is the number of brackets around a heading: two open another table of an array.
         """
@@ -186,7 +186,7 @@ class _Reader:
 
 
 def lines_of(text: str) -> dict[KeyPath, int]:
-    """Return the lines (from 1) of all keys, tables and tables in lists of a valid document."""
+    """Return the lines (counted from 1) of all keys, tables and arrays of tables in a valid document."""
     reader, open_brackets = _Reader(), list[_Bracket]()
     table: KeyPath = ()
     value: KeyPath = ()

@@ -1,4 +1,4 @@
-"""Where a value stands: its file and line if there is one, and its name in messages."""
+"""The location of a value: its file and line, if it has one, and its name in messages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["Place"]
 
 @dataclass(repr=False, eq=False)
 class Place:
-    """The place of a value in a file, or in a mapping or an object without one.
+    """The location of a value in a file, a mapping or an object.
 
     Attributes
     ----------
@@ -38,32 +38,32 @@ class Place:
 
     @property
     def folder(self) -> Path | None:
-        """The folder of the file, in which relative names begin."""
+        """The folder of the file, from which relative paths start."""
         return None if self.document is None else Path(self.document.path).parent
 
     @property
     def title(self) -> str:
-        """What the value or its table is called in messages, including the label."""
+        """The name of the value or its table in messages, including the label."""
         return f"{self.name} of {self.label}" if self.name and self.label else self.name or self.label
 
     def key(self, key: str) -> Place:
-        """Return the place of a key of the table that stands here."""
+        """Return the location of a key of this table."""
         name = f"{self.name}.{key}" if self.name else key
         return replace(self, path=(*self.path, key), name=name)
 
     def item(self, index: int, label: str = "") -> Place:
-        """Return the place of an item of the list that stands here; a table may have a label."""
+        """Return the location of an item of this list; a table may have a label."""
         path = (*self.path, index)
         if label or self.document is not None:
             return Place(self.document, path, label=label)
         return replace(self, path=path, name=f"{self.name}[{index}]")
 
     def invalid(self, value: Any, allowed: str) -> InputError:
-        """Return the error of a value that cannot be used."""
+        """Return the error for a value that cannot be used."""
         return InputError(self.title, value, allowed)
 
     def check_keys(self, given: Iterable[str], known: Iterable[str], required: Iterable[str]) -> None:
-        """Refuse a key that is not known, naming the nearest, and list required keys that are missing."""
+        """Refuse unknown keys, naming the nearest known one, and list missing required keys."""
         given = dict.fromkeys(given)
         known = tuple(known)
         for key in given:
@@ -74,7 +74,7 @@ class Place:
         self.require_keys(given, required)
 
     def require_keys(self, given: Iterable[str], required: Iterable[str]) -> None:
-        """Refuse a table in which required keys are missing, and list them."""
+        """Refuse a table that lacks required keys, and list them."""
         given = set(given)
         missing = [key for key in required if key not in given]
         if not missing:
@@ -88,7 +88,7 @@ class Place:
 
     @contextmanager
     def errors(self) -> Iterator[None]:
-        """Give file and line to the errors of what is inside."""
+        """Add file and line to errors raised within the block."""
         try:
             yield
         except FileError as error:
@@ -101,7 +101,7 @@ class Place:
             raise self.wrap(error) from error
 
     def wrap(self, error: ClubfaceError) -> FileError:
-        """Return an error with the file and the line of the value it is about, if that stands here or below."""
+        """Return an error with file and line of the value it is about, if that is here or below."""
         assert self.document is not None
         if self.label and isinstance(error, InputError) and not isinstance(error, UnknownNameError):
             error.parameter += f" of {self.label}" * (" of " not in error.parameter)

@@ -1,4 +1,4 @@
-"""A dataclass as the schema of its file: declared by :func:`file_key`, read, checked, written and described from that.
+"""A dataclass as the schema of its file: fields declared by :func:`file_key` are read, checked, written and described.
 
 ::
 
@@ -55,7 +55,7 @@ FILES = {
     "monitor-columns": "shots.formats.MappingFile",
     "published-tables": "published_data.PublishedFile",
 }
-"""Module and name of the dataclass, or of the kind of table, that each kind of file is read with."""
+"""Module and name of the dataclass or table type for each kind of file."""
 
 
 class Entry(NamedTuple):
@@ -117,7 +117,7 @@ def file_key(
     required: bool | None = None,
     **options: Any,
 ) -> Any:
-    """Declare a field of a dataclass that is a key of its file.
+    """Declare a dataclass field that is a key in its file.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def file_key(
 
 @cache
 def entries(schema: type) -> Mapping[str, Entry]:
-    """Return the keys of a dataclass, in their order."""
+    """Return the keys of a dataclass, in order."""
     keys = {}
     for each in fields(schema):
         if "key" in each.metadata:
@@ -157,13 +157,13 @@ def entries(schema: type) -> Mapping[str, Entry]:
 
 
 def quantities(schema: type) -> dict[str, Entry]:
-    """Return the keys of a dataclass that hold a quantity."""
+    """Return the keys of a dataclass that hold a physical quantity."""
     return {name: each for name, each in entries(schema).items() if isinstance(each.value, PhysicalValue)}
 
 
 @dataclass(repr=False, eq=False)
 class Table(Value):
-    """A table that is read as an object of a dataclass.
+    """A table that is read as an instance of a dataclass.
 
     Attributes
     ----------
@@ -180,7 +180,7 @@ class Table(Value):
     without: Collection[str] = ()
 
     def read(self, given: Any, place: Place, **more: Any) -> Any:
-        """Return the object; ``more`` are fields that the file does not hold."""
+        """Return the object; ``more`` are fields that do not come from the file."""
         known = self.keys()
         factors: dict[str, tuple[Entry, float | None]] = {
             other: (each, factor) for each in known.values() for other, factor in each.multiples.items()
@@ -207,11 +207,11 @@ class Table(Value):
             )
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return an object, or the one that a mapping describes."""
+        """Return an object unchanged, or the object that a mapping describes."""
         return value if isinstance(value, self.schema) else self.read(value, place)
 
     def json(self) -> dict[str, Any]:
-        """Return an object, each key with its meaning."""
+        """Return a JSON Schema object in which each key has its meaning."""
         known = self.keys()
         keys = {}
         for name, each in known.items():
@@ -241,7 +241,7 @@ def decode(
     usual: Mapping[str, Any] | None = None,
     **more: Any,
 ) -> T:
-    """Return the object that a document or a mapping describes; every error names the key, and the line of a file.
+    """Return the object that a document or mapping describes; errors name the key and, in a file, the line.
 
     Parameters
     ----------
@@ -257,7 +257,7 @@ def decode(
 
 
 def check_values(subject: Any) -> None:
-    """Check the fields of a new object, and turn them into SI and what words stand for; None is a field not given."""
+    """Check the fields of a new object, and convert quantities to SI and words to values; None means not given."""
     for each in entries(type(subject)).values():
         value = getattr(subject, each.attribute)
         if value is not None or each.default is not None:
@@ -265,7 +265,7 @@ def check_values(subject: Any) -> None:
 
 
 def encode(subject: Any, *, leave_out: Collection[str] = (), **changed: Any) -> str:
-    """Return an object as TOML, which reads back as the same; what is None or empty is left out.
+    """Return an object as TOML that reads back as the same object; None and empty values are left out.
 
     ``changed`` are values that the file shall have in place of those of the object.
     """
@@ -282,7 +282,7 @@ def _values(subject: Any, leave_out: Collection[str] = ()) -> dict[str, Any]:
 
 
 def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) -> list[str]:
-    """Return the lines of a table: its own keys, then the tables in it."""
+    """Return the lines of a table: its own keys, then its subtables."""
     lines: list[str] = []
     sections: list[str] = []
     for name, value in values.items():
@@ -307,13 +307,13 @@ def _lines(kinds: Mapping[str, Any], values: Mapping[str, Any], heading: str) ->
 
 
 def written_key(name: str) -> str:
-    """Return a key as TOML takes it: bare where it can be."""
+    """Return a key as TOML, without quotes if possible."""
     bare = name and all(each.isascii() and (each.isalnum() or each in "-_") for each in name)
     return name if bare else quoted(name)
 
 
 def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> list[str]:
-    """Return the lines of a file to start from: every key with an example and its meaning.
+    """Return the lines of a template: every key with an example and its meaning.
 
     ``values`` are TOML values of keys that the template shall have in place of their examples; keys that may be left
     out are comments unless they are among them.
@@ -331,13 +331,13 @@ def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> lis
 
 
 def json_schema(schema: type | Value, title: str) -> dict[str, Any]:
-    """Return the JSON Schema of the files of a dataclass, with which editors complete and check them."""
+    """Return the JSON Schema of a dataclass's files, for completion and checks in editors."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": title}
     return head | (Table(schema) if isinstance(schema, type) else schema).json()
 
 
 def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str]]:
-    """Return a row for each key of a file, with those of tables in it: the key, what it may be, and its meaning."""
+    """Return a row for each key of a file, including those of subtables: key, allowed values, meaning."""
     rows = []
     for name, each in (Table(schema) if isinstance(schema, type) else schema).keys().items():
         entry = each if isinstance(each, Entry) else None
@@ -353,7 +353,7 @@ def key_rows(schema: type | Value, prefix: str = "") -> list[tuple[str, str, str
 
 
 def file_schema(name: str) -> Value:
-    """Return the kind of table that a file of the given kind is."""
+    """Return the table type of a kind of file."""
     check_choice("kind of file", name, FILES)
     module, _, attribute = FILES[name].rpartition(".")
     schema: Any = getattr(import_module(f"clubface.{module}"), attribute)

@@ -1,4 +1,4 @@
-"""The kinds of value that a file holds under a key: how each is read and written, and what is allowed.
+"""The types of values in files: how each is read, checked, written and described.
 
 Every kind has the methods of :class:`Value`. What is read is in SI and as the program takes it.
 """
@@ -23,18 +23,18 @@ __all__ = [
 ]  # fmt: skip
 
 OPEN = "none"
-"""The word for an end of an interval that has no limit."""
+"""The word for an open end of an interval."""
 
 
 class Value:
-    """One kind of value."""
+    """A type of value."""
 
     def read(self, given: Any, place: Place) -> Any:
-        """Return the value of a file or a mapping; one that is not allowed is an ``InputError``."""
+        """Return the value read from a file or mapping; raise ``InputError`` if it is not allowed."""
         raise NotImplementedError
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return the value that a caller of Python gave, which may also be as :meth:`read` returns it."""
+        """Return a value given in Python, which may already be as :meth:`read` returns it."""
         return self.read(value, place)
 
     def write(self, value: Any) -> str:
@@ -44,7 +44,7 @@ class Value:
         )
 
     def show(self, value: Any) -> str:
-        """Return a value as pages show it."""
+        """Return a value as documentation shows it."""
         return self.write(value).strip('"')
 
     def json(self) -> dict[str, Any]:
@@ -52,17 +52,17 @@ class Value:
         return {}
 
     def words(self) -> str:
-        """Return what is allowed."""
+        """Return what is allowed, in words."""
         return ""
 
     def keys(self) -> Mapping[str, Any]:
-        """Return the keys of a value that is a table, or a list of tables."""
+        """Return the keys of a table, or of the tables in a list."""
         return {}
 
 
 @dataclass(repr=False, eq=False)
 class Simple(Value):
-    """A value that stays as it is.
+    """A value that is kept unchanged.
 
     Attributes
     ----------
@@ -96,18 +96,18 @@ NAME = Simple("printable text, not empty", is_name, {"type": "string", "minLengt
 
 
 def count(least: int, most: int) -> Simple:
-    """Return the kind of a whole number within limits."""
+    """Return the type of a whole number within limits."""
     schema = {"type": "integer", "minimum": least, "maximum": most}
     return Simple(f"a whole number from {least} to {most}", lambda value: is_count(value, least, most), schema)
 
 
 ROUNDING = 1e-12
-"""Part by which a value may miss a limit that is a round number in another unit than SI."""
+"""Relative tolerance for a limit that is a round number in a unit other than SI."""
 
 
 @dataclass(repr=False, eq=False)
 class PhysicalValue(Value):
-    """A number with a unit. Text names its unit, and a bare number is SI.
+    """A number with a unit: text names its unit, and a bare number is SI.
 
     Attributes
     ----------
@@ -183,7 +183,7 @@ class PhysicalValue(Value):
 
 @dataclass(repr=False, eq=False)
 class Unread(Value):
-    """A value that is checked and stays as it is given, for what reads it later."""
+    """A value that is checked but kept as given, for code that reads it later."""
 
     kind: Value
 
@@ -215,7 +215,7 @@ class Choice(Value):
 
     @property
     def known(self) -> Mapping[str, Any]:
-        """What each word stands for."""
+        """The value of each word."""
         choices = self.choices() if callable(self.choices) else self.choices
         return choices if isinstance(choices, Mapping) else {each: each for each in choices}
 
@@ -239,7 +239,7 @@ class Choice(Value):
 
 @dataclass(repr=False, eq=False)
 class Items(Value):
-    """A list of values of one kind, read as a tuple; ``allowed`` is what an error says of a wrong length."""
+    """A list of values of one type, read as a tuple; ``allowed`` is the error text for a wrong length."""
 
     item: Value
     least: int = 0
@@ -264,7 +264,7 @@ class Items(Value):
 
 @dataclass(repr=False, eq=False)
 class Interval(Value):
-    """The least and the greatest value of a quantity.
+    """The smallest and largest value of a quantity.
 
     Attributes
     ----------
@@ -362,7 +362,7 @@ class Record(Value):
 
 @dataclass(repr=False, eq=False)
 class Tables(Value):
-    """A list of tables, each under a heading in two brackets; names among them are used once.
+    """A list of tables, each under a heading in double brackets; names must be unique.
 
     Attributes
     ----------
@@ -414,7 +414,7 @@ class Tables(Value):
 
 @dataclass(repr=False, eq=False)
 class Reference(Value):
-    """The name of something built in, or the path of its file from the folder of the file that names it."""
+    """A built-in name, or the path of a file, relative to the folder of the file that names it."""
 
     load: Callable[[Any], Any]
 
@@ -432,7 +432,7 @@ class Reference(Value):
 
 
 class FilePath(Simple):
-    """The path of a file, from the folder of the file that names it."""
+    """The path of a file, relative to the folder of the file that names it."""
 
     def read(self, given: Any, place: Place) -> Any:
         return (place.folder or Path()) / TEXT.read(given, place)
@@ -443,7 +443,7 @@ class FilePath(Simple):
 
 @dataclass(repr=False, eq=False)
 class Either(Value):
-    """A value of one of several kinds, distinguished by their type in the file; ``allowed`` names them in messages."""
+    """A value of one of several types, told apart by their TOML type; ``allowed`` names them in messages."""
 
     kinds: Mapping[type, Value]
     allowed: str
@@ -469,7 +469,7 @@ class Either(Value):
 
 
 def written(value: float, unit: str) -> str:
-    """Return a number [SI] as text that parses to the same bits, in ``unit`` where one of its numbers does."""
+    """Return a number [SI] as text that parses to exactly the same value, in ``unit`` if possible."""
     dimension = units.unit(unit).dimension
     for symbol in (unit, units.SI_UNITS[dimension]):
         number = float(units.from_si(value, symbol))

@@ -1,1 +1,1 @@
-"""What every room uses and that knows nothing of golf: files of settings, checks, memory, resuming."""
+"""Shared code that knows nothing about golf: files, checks, processes, sockets, deprecations."""

@@ -1,4 +1,4 @@
-"""The types of most arrays, and of values as people give and get them."""
+"""Types of common arrays and of user-facing values."""
 
 from collections.abc import Sequence
 from typing import Any, TypeAlias
@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 Selection = slice | Sequence[int] | Sequence[bool] | NDArray[np.integer | np.bool_]
-"""What NumPy selects by: a slice, places or a mask."""
+"""A NumPy selection: a slice, indices or a mask."""
 ValueLike = ArrayLike
 """A number [SI], text with a unit such as "108 mph", or an array or list of either."""
 NumberOrArray: TypeAlias = Any

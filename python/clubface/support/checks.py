@@ -1,4 +1,4 @@
-"""Checks of single values, each with an error that says what would have been accepted; and what many modules share.
+"""Checks of single values, with errors that say what is allowed, and other small shared functions.
 
 That is mappings that cannot be changed, values as JSON has them, and warnings that are given once.
 """
@@ -22,12 +22,12 @@ from clubface.errors import InputError, UnknownNameError
 
 
 def is_name(value: object) -> bool:
-    """Return whether a value is printable text, not empty."""
+    """Return whether a value is non-empty, printable text."""
     return isinstance(value, str) and value.strip() != "" and value.isprintable()
 
 
 def is_text(value: object) -> bool:
-    """Return whether a value is text that a file can hold; a lone surrogate cannot be written."""
+    """Return whether a value is text that can be written to a file; a lone surrogate cannot."""
     return isinstance(value, str) and not any("\ud800" <= each <= "\udfff" for each in value)
 
 
@@ -38,7 +38,7 @@ def check_name(name: object) -> None:
 
 
 def check_text(parameter: str, value: object) -> None:
-    """Refuse what is not text that a file can hold."""
+    """Refuse a value that is not text, or that cannot be written to a file."""
     if not is_text(value):
         raise InputError(parameter, value, "text")
 
@@ -51,29 +51,29 @@ def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
 
 
 def check_names(what: str, names: Iterable[object], known: Iterable[str]) -> None:
-    """Refuse names of which one is not among the ``known``; ``what`` each is."""
+    """Refuse names that are not among the ``known`` ones; ``what`` describes a name in the error."""
     known = tuple(known)
     for name in names:
         check_choice(what, name, known)
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """Tell a real number from anything else, ``True`` and ``False`` among it."""
+    """Return whether a value is a real number; ``True`` and ``False`` are not."""
     return isinstance(value, Real) and not isinstance(value, bool)
 
 
 def check_share(share: object) -> None:
-    """Refuse what is not a number between 0 and 1."""
+    """Refuse a value that is not a number between 0 and 1."""
     if not (is_number(share) and 0.0 < share < 1.0):
         raise InputError("share", share, "between 0 and 1")
 
 
 MOST_SEED = 2**63 - 1
-"""The largest seed of random numbers."""
+"""Largest random seed."""
 
 
 def whole(value: object) -> int | None:
-    """Return a whole number of any type, NumPy's among them, as an ``int``; of anything else, ``True`` too, None."""
+    """Return a whole number of any type, including NumPy's, as an ``int``; None for anything else and for ``True``."""
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":  # NumPy 2.0 takes np.True_
         return None
     try:
@@ -83,13 +83,13 @@ def whole(value: object) -> int | None:
 
 
 def is_count(value: object, least: int, most: int) -> bool:
-    """Tell a whole number within limits from anything else."""
+    """Return whether a value is a whole number within limits."""
     count = whole(value)
     return count is not None and least <= count <= most
 
 
 def check_count(parameter: str, value: object, least: int, most: int) -> int:
-    """Return a whole number within limits, and refuse anything else."""
+    """Return a whole number within limits; refuse anything else."""
     count = whole(value)
     if count is None or not least <= count <= most:
         raise InputError(parameter, value, f"a whole number from {least} to {most}")
@@ -101,7 +101,7 @@ V = TypeVar("V")
 
 
 class Frozen(dict[K, V]):
-    """A dictionary that refuses to be changed.
+    """A dictionary that cannot be changed.
 
     Unlike ``types.MappingProxyType`` it can be pickled and deep-copied, and so can what holds it.
     """
@@ -116,7 +116,7 @@ class Frozen(dict[K, V]):
 
 
 def plain(value: Any) -> Any:
-    """Return ``value`` made of what JSON has; numpy numbers and arrays included."""
+    """Return ``value`` as plain JSON types; NumPy numbers and arrays are converted."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, float):
@@ -129,14 +129,14 @@ def plain(value: Any) -> Any:
 
 
 _given: dict[str, object] = {}
-"""What was warned of, by the call that did it."""
+"""Warnings already issued, by the call that issued them."""
 _filters = threading.RLock()
 _silent: ContextVar[tuple[type[Warning], ...]] = ContextVar("_silent", default=())
 
 
 @contextmanager
 def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
-    """Work without warnings of a category; one that is kept back may still be given later."""
+    """Suppress warnings of a category; a suppressed warning can still be issued later."""
     token = _silent.set((*_silent.get(), category))
     try:
         yield
@@ -146,7 +146,7 @@ def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
 
 @contextmanager
 def without_foreign_warnings(category: type[Warning] = Warning) -> Iterator[None]:
-    """Work without warnings of other packages, one thread at a time.
+    """Suppress warnings from other packages, one thread at a time.
 
     Python's filters belong to the whole process: of two blocks that overlap, the second would leave those of the first
     behind for good.
@@ -157,19 +157,19 @@ def without_foreign_warnings(category: type[Warning] = Warning) -> Iterator[None
 
 
 def is_silent(category: type[Warning]) -> bool:
-    """Return whether warnings of a category are kept back."""
+    """Return whether warnings of a category are suppressed."""
     return issubclass(category, _silent.get())
 
 
 def warn_once(message: str, category: type[Warning], *, key: str | None = None) -> None:
-    """Warn, but say the same thing, or what has the same ``key``, only once in a process."""
+    """Issue a warning once per process for each message or ``key``."""
     call = object()
     if not is_silent(category) and _given.setdefault(message if key is None else key, call) is call:
         warnings.warn(message, category, stacklevel=_level_of_the_caller())
 
 
 def _level_of_the_caller() -> int:
-    """Return how far up the stack, from ``warn_once``, the first code outside the package stands."""
+    """Return the stack level, counted from ``warn_once``, of the first code outside the package."""
     inside = (str(Path(__file__).parent.parent), dataclasses.__file__, "<string>")
     frame, level = sys._getframe(2), 2
     while frame.f_back is not None and frame.f_code.co_filename.startswith(inside):

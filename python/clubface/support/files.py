@@ -1,4 +1,4 @@
-"""Files: inputs read once and recorded, outputs written whole or not at all, and data that come with the package.
+"""File access: inputs are read once and recorded, outputs are written completely or not at all; built-in data files.
 
 Every file of a person (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) is
 opened here and nowhere else. While a :class:`InputRecord` is active, it keeps what was read: a file that is edited
@@ -28,7 +28,7 @@ from clubface.support.checks import check_choice
 
 
 def prepared_folder(folder: str | os.PathLike[str]) -> Path:
-    """Make the folder; report one that cannot be made before any work is done."""
+    """Create the folder; report a failure before any work is done."""
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -43,31 +43,31 @@ DATA = Path(__file__).parent.parent / "data"
 
 
 def builtin_names(folder: str) -> tuple[str, ...]:
-    """List the names of the descriptions shipped in ``data/<folder>``, in alphabetical order."""
+    """List the names of the built-in descriptions in ``data/<folder>``, in alphabetical order."""
     return tuple(sorted(path.stem for path in (DATA / folder).glob("*.toml")))
 
 
 def builtin_path(what: str, name: object, folder: str, known: Iterable[str] | None = None) -> Path:
-    """Return the file of the description in ``data/<folder>`` that is called ``name``; ``what`` it is, for errors."""
+    """Return the file of the built-in description ``name`` in ``data/<folder>``; ``what`` describes it in errors."""
     names = tuple(known or builtin_names(folder))
     check_choice(what, name, names)
     return DATA / folder / f"{name}.toml"
 
 
 def is_path(name: object) -> bool:
-    """Tell a path from the name of a built-in."""
+    """Return whether a value is a path, as opposed to a built-in name."""
     return isinstance(name, os.PathLike) or (
         isinstance(name, str) and (name.endswith(".toml") or "/" in name or os.sep in name)
     )
 
 
 def resolve_name(name: str, folder: Path) -> str | Path:
-    """Return a name as it is, and a path that a file names as it is from the folder of that file."""
+    """Return a built-in name unchanged, and a path from a file relative to the folder of that file."""
     return folder / name if is_path(name) else name
 
 
 def path_of(what: str, name: str | os.PathLike[str], folder: str) -> str | os.PathLike[str]:
-    """Return the path that is meant by itself, or by the name of a description in ``data/<folder>``."""
+    """Return a path unchanged, or the path of the built-in description ``name`` in ``data/<folder>``."""
     return name if is_path(name) else builtin_path(what, name, folder)
 
 
@@ -77,9 +77,9 @@ LARGEST_KEPT = 32_000_000
 """Bytes. The content of a larger file, such as a table of a million shots, is not kept: it is read as it goes, and
 refused if it changes meanwhile."""
 MOST_KEPT = 256_000_000
-"""Bytes of all contents that a computation keeps; further files are read as large ones are."""
+"""Total size of the contents that a computation keeps [bytes]; further files are treated like large ones."""
 PIECE = 1_000_000
-"""Bytes read at a time."""
+"""Size of the blocks in which files are read [bytes]."""
 CHANGED = "this file was changed while it was read; start again"
 NOT_A_FILE = "a pipe cannot be read twice, and a device has no end; save it as a file first"
 
@@ -112,7 +112,7 @@ class InputFile(NamedTuple):
 
 
 class InputRecord:
-    """The files that a computation reads, each as it was when it was first read.
+    """The files that a computation reads, each with the content of the first read.
 
     While it is active, :func:`read_input` and :func:`open_input` serve what it holds, and add what it does not. One
     that is made while another is active shares its files, and adds to both.
@@ -132,7 +132,7 @@ class InputRecord:
 
     @property
     def files(self) -> tuple[InputFile, ...]:
-        """The files in the order in which they were read, each once, whatever it was called."""
+        """The files in the order of reading, each once, even if it was opened under several names."""
         result: dict[str, InputFile] = {}
         with self._lock:
             for each in self._files.values():
@@ -140,23 +140,23 @@ class InputRecord:
         return tuple(result.values())
 
     def add(self, files: Iterable[InputFile]) -> None:
-        """Add files that were read before."""
+        """Add files that were read earlier."""
         with self._lock:
             for each in files:
                 self._files.setdefault(absolute(each.path), each)
 
     def by_path(self) -> dict[str, InputFile]:
-        """Return the files by the path under which they were asked for, those that came with the package left out."""
+        """Return the files by the requested path, without those that come with the package."""
         with self._lock:
             return {path: each for path, each in self._files.items() if not each.shipped}
 
     def close(self) -> None:
-        """Read nothing more from now on: what was loaded at the start is all that a computation depends on."""
+        """Refuse further reads: the computation depends only on what was loaded so far."""
         self._closed = True
 
     @contextmanager
     def active(self) -> Iterator[InputRecord]:
-        """Serve and record what is read within the block, on this thread and those that inherit its context."""
+        """Record all reads within the block, on this thread and on threads that inherit its context."""
         before = _ACTIVE.set(self)
         try:
             yield self
@@ -164,7 +164,7 @@ class InputRecord:
             _ACTIVE.reset(before)
 
     def file(self, path: str, most: int) -> InputFile:
-        """Return a file as it was first read; ``most`` are the bytes that it may have."""
+        """Return a file as it was first read; ``most`` is the largest size allowed [bytes]."""
         key = absolute(path)
         with self._lock:
             if (result := self._files.get(key)) is None:
@@ -182,7 +182,7 @@ _ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=Non
 
 
 def recorded(compute: Callable[P, R]) -> Callable[P, R]:
-    """Let a computation read each of its files once, however many of its parts ask for it.
+    """Make a computation read each file only once, no matter how often it is requested.
 
     As a part of one whose files are recorded, it adds to that record.
     """
@@ -198,19 +198,19 @@ def recorded(compute: Callable[P, R]) -> Callable[P, R]:
 
 
 def count_as_read(files: Iterable[InputFile]) -> None:
-    """Record files that an earlier run has read, whose results are those of the computation that is running."""
+    """Record files that an earlier run has read, because the running computation uses its results."""
     if (record := _ACTIVE.get()) is not None:
         record.add(files)
 
 
 def recorded_files() -> tuple[InputFile, ...]:
-    """Return what the computation that is running has read so far; nothing where nothing is recorded."""
+    """Return the files that the running computation has read so far; empty if nothing is recorded."""
     record = _ACTIVE.get()
     return () if record is None else record.files
 
 
 def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> InputFile:
-    """Return a file with its fingerprint, read now or, in a computation that has read it, as it was then.
+    """Return a file with its fingerprint; within a recorded computation, as it was when first read.
 
     Parameters
     ----------
@@ -234,7 +234,7 @@ def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> Inpu
 
 
 def read_input(path: str | os.PathLike[str], *, most: int | None = None) -> bytes:
-    """Return the bytes of a file, as of :func:`input_file`."""
+    """Return the bytes of a file; see :func:`input_file`."""
     result = input_file(path, most=most)
     if result.content is not None:
         return result.content
@@ -243,7 +243,7 @@ def read_input(path: str | os.PathLike[str], *, most: int | None = None) -> byte
 
 
 def open_input(path: str | os.PathLike[str]) -> BinaryIO:
-    """Open a file for reading, as of :func:`input_file`; a large one is refused once it changes while it is read."""
+    """Open a file for reading; see :func:`input_file`. A large file that changes while it is read is refused."""
     result = input_file(path)
     if result.content is not None:
         return io.BytesIO(result.content)
@@ -256,7 +256,7 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
 
 @contextmanager
 def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
-    """Yield the name of a file with the bytes of :func:`read_input`, for libraries that open files themselves."""
+    """Yield the path of a local file with the bytes of :func:`read_input`, for libraries that open files themselves."""
     content = read_input(path)
     with tempfile.TemporaryDirectory(prefix="clubface-") as folder:
         name = os.path.join(folder, os.path.basename(path))
@@ -265,7 +265,7 @@ def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
 
 
 def short_names(paths: Sequence[str]) -> list[str]:
-    """Return the names of files without their folders, but for those that tell files of one name apart.
+    """Return file names without folders, except for the parts needed to tell files of the same name apart.
 
     Of ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` these are ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
     """
@@ -281,17 +281,17 @@ def short_names(paths: Sequence[str]) -> list[str]:
 
 
 def absolute(path: str | os.PathLike[str]) -> str:
-    """Return a path from the root, links in it as they stand."""
+    """Return an absolute path; symbolic links in it are kept."""
     return os.fspath(Path.cwd() / path)
 
 
 def same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:
-    """Return whether two paths lead to the same file, whether or not it is there."""
+    """Return whether two paths lead to the same file, whether or not it exists."""
     return place_of(one) == place_of(other)
 
 
 def place_of(path: str | os.PathLike[str]) -> str:
-    """Return where a file lies, or would lie, without links."""
+    """Return the path of a file, existing or not, with symbolic links resolved."""
     try:
         return os.path.realpath(path)
     except (OSError, ValueError):  # no file can have the name
@@ -306,7 +306,7 @@ _SHIPPED = os.path.join(os.path.realpath(DATA), "")
 
 
 def _load(name: str, most: int) -> InputFile:
-    """Read a file; what is no file is refused before it can keep anyone waiting."""
+    """Read a file; anything but a regular file is refused, so that reading never blocks."""
     with _Unchanging(name) as file:
         if file.size > most:
             raise _too_large(name, most)
@@ -325,7 +325,7 @@ def _load(name: str, most: int) -> InputFile:
 
 
 def unreadable(name: str, error: Exception) -> FileError:
-    """Return what to tell where the system refuses to read a file."""
+    """Return the error for a file that the system refuses to read."""
     reason = getattr(error, "strerror", None) or str(error)
     if isinstance(error, IsADirectoryError):
         reason = "this is a folder"
@@ -339,7 +339,7 @@ def _too_large(name: str, most: int) -> FileError:
 
 
 def _whole(file: _Unchanging, most: int) -> bytes:
-    """Return the bytes of a file; one without an end, such as some of the system's, is refused."""
+    """Return the bytes of a file; endless files, such as some device files, are refused."""
     result = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
     while len(result) <= most and (piece := file.read(PIECE)):
         result += piece
@@ -356,7 +356,7 @@ def _sum_of(file: _Unchanging) -> str:
 
 
 class _Unchanging(io.FileIO):
-    """A file that is read as it was when it was opened, and refused if it changes meanwhile."""
+    """A file that must not change between opening and the end of reading."""
 
     def __init__(self, path: str) -> None:
         self._path = path
@@ -384,7 +384,7 @@ class _Unchanging(io.FileIO):
         return self._checked(super().readall()) or b""
 
     def _checked(self, result: R) -> R:
-        """Return what was read of a file that is still as it was."""
+        """Return the data read, after checking that the file has not changed."""
         state = os.fstat(self.fileno())
         if (state.st_size, state.st_mtime_ns) != self._state:
             raise FileError(self._path, None, CHANGED)
@@ -392,12 +392,12 @@ class _Unchanging(io.FileIO):
 
 
 def _open_without_waiting(path: str, flags: int) -> int:
-    """Open a file: a pipe into which nobody writes would otherwise keep anyone waiting who opens it."""
+    """Open a file without blocking, as opening a pipe without a writer would."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[str, InputFile]:
-    """Return files by path for a closed record: path, fingerprint and size of each, and the folder of their contents.
+    """Return a closed record of files, given path, fingerprint and size of each and the folder of their contents.
 
     One whose content is not there is read in its place, if it is still the same.
 
@@ -421,7 +421,7 @@ Name = str | os.PathLike[str]
 
 
 def unwritable(path: Name, error: OSError) -> FileError:
-    """Return what to tell where the system refuses to write a file."""
+    """Return the error for a file that the system refuses to write."""
     if isinstance(error, FileExistsError):
         return FileError(os.fspath(path), None, "this file exists already; it is left as it is")
     return FileError(os.fspath(path), None, f"cannot be written: {error.strerror or error}")
@@ -429,7 +429,7 @@ def unwritable(path: Name, error: OSError) -> FileError:
 
 @contextmanager
 def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> Iterator[BinaryIO]:
-    """Open a file to write, which takes the place of ``path`` once the block is left and all is on the disk.
+    """Open a file for writing that replaces ``path`` when the block ends and all data are on disk.
 
     If the block raises, or the disk is full, what stood under the name before stands there still. Libraries that want a
     path are given the ``name`` of the file that is yielded.
@@ -480,7 +480,7 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
 
 @contextmanager
 def whole_text(path: Name) -> Iterator[TextIO]:
-    """Open a file for text in UTF-8; line ends are written as they are given. See :func:`whole_file`."""
+    """Open a UTF-8 text file; line endings are written unchanged. See :func:`whole_file`."""
     with whole_file(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
         yield text
@@ -488,14 +488,14 @@ def whole_text(path: Name) -> Iterator[TextIO]:
 
 
 def write_text(path: Name, text: str, *, encoding: str = "utf-8", new: bool = False) -> Path:
-    """Write a file of text, whole or not at all; return its path. What no page or table should get, is escaped."""
+    """Write a text file completely or not at all; return its path. Control characters are escaped."""
     with whole_file(path, new=new) as file:
         file.write(legible(text, LINES).encode(encoding))
     return Path(path)
 
 
 def synced(folder: Path) -> None:
-    """Bring the names in a folder to the disk, where the system can."""
+    """Flush a folder's entries to disk, if the system can."""
     with suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
@@ -505,7 +505,7 @@ def synced(folder: Path) -> None:
 
 
 def _mode_of(target: Path, new: bool) -> int | None:
-    """Return the rights of the file that is there, None where there is none; refuse what is no file to replace."""
+    """Return the permissions of an existing file, or None; refuse to replace anything but a regular file."""
     try:
         result = target.stat()
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""Texts that are the same only for the same content, by which a store knows whose parts it holds."""
+"""Fingerprints of content, by which a store recognises the computation its parts belong to."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from clubface.support.version import __version__
 
 
 def fingerprint(content: Any) -> str:
-    """Return a text that is the same only for the same content: what JSON has, arrays, data classes, and their like."""
+    """Return a fingerprint of content made of JSON types, arrays, dataclasses and the like."""
     return hashlib.sha256(json.dumps(_as_json(content), sort_keys=True).encode()).hexdigest()
 
 
 def _as_json(value: Any) -> Any:
-    """Return content as JSON has it: every number of an array counts, not those its text shows."""
+    """Return content as JSON types; all numbers of an array count, not only those that its text shows."""
     if value is None or isinstance(value, (str, int, float)):
         return value
     if isinstance(value, Mapping):
@@ -48,7 +48,7 @@ def _as_json(value: Any) -> Any:
 
 
 def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
-    """Return a fingerprint of each part of what a work is of, and of the version, by what a person calls it."""
+    """Return a fingerprint of each input of a computation and of the version, by its name for people."""
     return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
 
 
@@ -59,7 +59,7 @@ def check_same(
     otherwise: str,
     change: Callable[[str], str] = lambda _: "",
 ) -> None:
-    """Refuse to go on with work in ``folder`` that was begun with other content; both as of :func:`fingerprints`.
+    """Refuse to resume work in ``folder`` that was started with other content; both are from :func:`fingerprints`.
 
     ``change`` says what is different in a part, by its name.
     """
@@ -69,7 +69,7 @@ def check_same(
 
 
 def first_difference(before: bytes | None, now: bytes | None) -> str:
-    """Return in brackets which line of a text is the first that has changed; nothing where that is not known."""
+    """Return, in brackets, the first line of a text that has changed; empty if unknown."""
     try:
         both = [[] if each is None else each.decode().splitlines() for each in (before, now)]
     except UnicodeDecodeError:

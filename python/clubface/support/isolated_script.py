@@ -1,4 +1,4 @@
-"""The process of :mod:`clubface.support.processes`: a script that answers calls until its input ends.
+"""The script that an isolated process of :mod:`clubface.support.processes` runs: it answers calls until its input ends.
 
 It imports nothing of clubface, so that it starts fast.
 """
@@ -20,7 +20,7 @@ except ImportError:  # not on Windows, where memory has no such limit
 
 
 def main() -> None:
-    """Answer calls from the standard input on the standard output; what libraries print goes nowhere."""
+    """Answer calls from standard input on standard output; output of libraries is discarded."""
     answers = os.fdopen(os.dup(1), "wb")
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
@@ -37,7 +37,7 @@ def main() -> None:
 
 
 def limit_memory(size: int) -> None:
-    """Let this process ask for no more than ``size`` bytes, where the system has such a limit."""
+    """Limit the memory of this process to ``size`` bytes, if the system supports it."""
     if resource is None:
         return
     most = resource.getrlimit(resource.RLIMIT_AS)[1]
@@ -46,7 +46,7 @@ def limit_memory(size: int) -> None:
 
 
 def answered(file: str, function: str, arguments: Any, functions: dict[str, dict[str, Any]]) -> tuple[str, Any]:
-    """Return "found" and what a function of a file returns, "missing" and a library, or "error" and what is wrong."""
+    """Return "found" and a function's result, "missing" and the name of a library, or "error" and the reason."""
     try:
         if file not in functions:
             functions[file] = runpy.run_path(file)

@@ -1,4 +1,4 @@
-"""Separate processes for libraries that can crash; how much memory and how many processors there are.
+"""Isolated processes for libraries that may crash; available memory and processors.
 
 A library that a damaged file can crash is called in a process of its own, within limits: a crash, endless work or a
 request for all memory ends that process and is one error here. The process stays for further calls, so that only the
@@ -28,13 +28,13 @@ from clubface.errors import InputError
 
 SCRIPT = Path(__file__).with_name("isolated_script.py")
 LEAST_MEMORY = 2 * 2**30
-"""Bytes that a library may ask for besides what a file needs: it, Python and NumPy are among them."""
+"""Memory allowance of a library [bytes] beyond what a file needs, including Python and NumPy."""
 LEAST_TIME = 30.0
-"""Seconds that it may take for the smallest file; a whole session is read in a few."""
+"""Time limit for the smallest file [s]; a whole session takes a few seconds."""
 
 
 class IsolatedError(Exception):
-    """A call in an isolated process that came to nothing: its text says why there is no result."""
+    """A call in an isolated process failed; the text says why."""
 
 
 class IsolatedProcess:
@@ -146,19 +146,19 @@ def _ended(process: subprocess.Popen[bytes]) -> str:
 
 
 UNKNOWN = 4 * 2**30
-"""Bytes assumed where the system does not say."""
+"""Memory assumed if the system does not report it [bytes]."""
 
 SHARE = 0.5
-"""Part of the free memory one request may take: tables made of the result need room as well."""
+"""Share of the free memory that one request may use; tables made from the result need memory as well."""
 
 FAILED = 400
-"""Bytes that say why one shot has no result: its row, the parameter at fault and a sentence."""
+"""Memory for the reason why one shot failed: its row, the parameter and a sentence [bytes]."""
 _SMALL = 64 * 2**20
-"""Bytes nobody needs to ask for."""
+"""Requests below this size are not checked [bytes]."""
 
 
 def available_memory() -> int:
-    """Return the bytes that can still be allocated, by the limits of system, container and process."""
+    """Return the memory still available [bytes], within the limits of system, container and process."""
     limits = [_of_system(), *_of_container()]
     return max(0, min(limits))
 
@@ -207,7 +207,7 @@ def _of_container() -> list[int]:
 
 
 def processors() -> int:
-    """Return how many processors this process may use, which the scheduler of a cluster sets in this way."""
+    """Return how many processors this process may use, as limited by a cluster's scheduler."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not Linux
@@ -216,7 +216,7 @@ def processors() -> int:
 
 @cache
 def vector_units() -> str:
-    """Return the kind of processor, with the widest vectors that finite elements use on it, as in "x86_64 avx2"."""
+    """Return the processor type and the widest vector unit that finite elements use, such as "x86_64 avx2"."""
     machine = platform.machine() or "unknown"
     flags: set[str] = set()
     try:

@@ -1,4 +1,4 @@
-"""Old names, which go on working until the next minor version and warn of the new ones."""
+"""Deprecated names, which keep working with a warning until the next minor version."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import Any, ParamSpec, TypeVar
 from clubface.support.checks import warn_once
 
 GONE_WITH = "0.3.0"
-"""The version that takes no old names any more: the next minor one."""
+"""The version that drops the old names: the next minor one."""
 
 RENAMED = ".* is called .* now; version"
-"""The beginning of the warnings, as a pattern."""
+"""A pattern that matches the start of these warnings."""
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -25,7 +25,7 @@ def warn_renamed(old: str, new: str) -> None:
 
 
 def renamed_names(module: str, **names: str) -> Callable[[str], Any]:
-    """Return a ``__getattr__`` by which a module has names by their old ones too.
+    """Return a ``__getattr__`` that makes a module's names available under their old names too.
 
     ::
 
@@ -50,7 +50,7 @@ def renamed_names(module: str, **names: str) -> Callable[[str], Any]:
 
 
 def renamed_arguments(**names: str) -> Callable[[Callable[P, T]], Callable[P, T]]:
-    """Let a function take arguments by their old names: ``@renamed_arguments(which="ball")``.
+    """Let a function accept arguments under their old names: ``@renamed_arguments(which="ball")``.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Sockets of this machine: which ports there are, how one listens on them, and connections that say what failed."""
+"""Sockets on this machine: port numbers, listening, and connections whose errors say what failed."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ ADVICE = {
     errno.EADDRINUSE: "; give another port",
     **dict.fromkeys((errno.EACCES, errno.EPERM), "; ports below 1024 need rights: give another"),
 }
-"""What to do where a port cannot be listened on, by the number of the error."""
+"""Advice for a port that cannot be opened, by error number."""
 CHUNK = 65_536
-"""Bytes that are read at a time."""
+"""Size of a read [bytes]."""
 
 
 def check_port(port: int, lowest: int, name: str = "port") -> None:
-    """Refuse a value that is not a port number; ``name`` is that of the parameter or option."""
+    """Refuse a value that is not a port number; ``name`` is the parameter or option."""
     if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= HIGHEST_PORT:
         raise InputError(name, port, f"a whole number from {lowest} to {HIGHEST_PORT}")
 
 
 def listen_on(port: int, *, host: str = LOOPBACK, waiting: int) -> socket.socket:
-    """Return a socket that listens on a port, or on a free one for 0.
+    """Return a socket that listens on a port; 0 chooses a free one.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class Connection:
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def send(self, message: Mapping[str, Any], ending: bytes = b"") -> None:
-        """Send a message as JSON, with ``ending`` behind it."""
+        """Send a message as JSON, followed by ``ending``."""
         self._socket.settimeout(self._timeout)
         try:
             self._socket.sendall(json.dumps(message, allow_nan=False).encode() + ending)
@@ -89,7 +89,7 @@ class Connection:
             raise self._problem("was lost", error) from None
 
     def receive(self, wait: float) -> bytes:
-        """Return what has come, or comes within ``wait`` seconds; nothing of it is empty."""
+        """Return the data received, waiting up to ``wait`` seconds; empty if nothing arrives."""
         self._socket.settimeout(wait)
         try:
             data = self._socket.recv(CHUNK)
