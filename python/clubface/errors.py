@@ -1,4 +1,4 @@
-"""Errors, worded so that a person can mend them: the parameter, its value, what is allowed, the line.
+"""Errors that say how to fix them: the parameter, its value, what is allowed, and the line.
 
 Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so
 that code which knows nothing of clubface still catches them.
@@ -34,7 +34,7 @@ EXTRAS = {
     "torch": "torch",
     "mujoco": "mujoco",
 }
-"""The extra of the package that brings each optional library."""
+"""The extra of the package that installs each optional library."""
 
 
 class ClubfaceError(Exception):
@@ -47,26 +47,26 @@ class ClubfaceError(Exception):
         return in_a_line(self._message())
 
     def _message(self) -> str:
-        """Return the text, of whatever length."""
+        """Return the message in full length."""
         return super().__str__()
 
 
 _LINE = 100
-"""Characters of a file's, a caller's or another program's text that a message repeats at most, in one piece."""
+"""Longest quotation in a message of text from a file, a caller or another program [characters]."""
 _LONGEST = 1000
-"""Characters of a message; the longest of the project's own are lists of names."""
+"""Longest message [characters]; the longest of the package's own are lists of names."""
 
 
 _ADVICE = ("give ", "leave ", "use ", "keep ")
-"""How a sentence begins that says what to do instead."""
+"""Starts of sentences that say what to do instead."""
 
 
 _MOST, _FIRST = 60, 10
-"""How many names are listed at most, and how many where there are more."""
+"""Largest number of names listed in full, and the number listed if there are more."""
 
 
 class Wording(str):
-    """Words that stand for a value in a message, which shows them without quotation marks."""
+    """Text that describes a value in a message, shown without quotation marks."""
 
     __slots__ = ()
 
@@ -100,7 +100,7 @@ class InputError(ClubfaceError, ValueError):
 
 
 class ShotError(InputError):
-    """A shot that cannot be computed, or a club or ball that no body can be.
+    """A shot that cannot be computed, or a club or ball that is physically impossible.
 
     Attributes
     ----------
@@ -201,22 +201,22 @@ class LinkError(ClubfaceError, ConnectionError):
 
 
 class RunError(ClubfaceError, RuntimeError):
-    """A run that did not come to its end.
+    """A run that ended early.
 
     Of finite elements, what there was until then is kept; or a law of contact of one's own failed.
     """
 
 
 class RuleWarning(UserWarning):
-    """A club or ball outside the Rules of Golf; it is computed all the same."""
+    """A club or ball outside the Rules of Golf; it is computed anyway."""
 
 
 class RangeWarning(UserWarning):
-    """A shot outside what a model or its parameters were made for; it is computed all the same."""
+    """A shot outside the range of a model or its parameters; it is computed anyway."""
 
 
 class AssumptionWarning(UserWarning):
-    """A quantity that a computation needs was not given and does not follow; the warning says what was taken for it."""
+    """A required quantity was not given and cannot be derived; the warning says which value was assumed."""
 
 
 class ImplausibleWarning(UserWarning):
@@ -224,23 +224,23 @@ class ImplausibleWarning(UserWarning):
 
 
 class TargetWarning(UserWarning):
-    """A meshed head that misses what it was to reach; it is made as near as its bounds allow."""
+    """A meshed head that misses its targets; it is as close as its bounds allow."""
 
 
 class MeshWarning(UserWarning):
-    """What was changed in a mesh or left out of it before it became a head."""
+    """Something in a mesh was changed or left out to make a head of it."""
 
 
 class EdgeWarning(UserWarning):
-    """A ball that reached round the edge of a meshed face, where contact ends; its launch is in doubt."""
+    """The ball reached the edge of a meshed face, where contact ends; its launch is uncertain."""
 
 
 class CaptureWarning(UserWarning):
-    """A recorded swing in which something had to be mended or is in doubt; its delivery is given all the same."""
+    """Something in a recorded swing was repaired or is doubtful; its delivery is given anyway."""
 
 
 def _listed(names: tuple[str, ...]) -> str:
-    """Return names with commas; of very many the first."""
+    """Return names separated by commas, only the first ones if there are many."""
     return ", ".join(names) if len(names) <= _MOST else f"{', '.join(names[:_FIRST])}, ... ({len(names)} in all)"
 
 
@@ -268,7 +268,7 @@ def in_a_line(text: str) -> str:
 
 
 def legible(text: str, keep: str = "") -> str:
-    """Return a text whose every character is seen as it is: whatever leaves for a screen, a page or a table goes here.
+    """Return a text in which every character is visible; all text for a screen, a page or a table goes through here.
 
     Control characters, marks that turn the direction of a text round or have no width, and bytes of names that are no
     text are written as escapes; ``keep`` are characters that may stay, such as ends of lines.
@@ -282,9 +282,9 @@ def legible(text: str, keep: str = "") -> str:
 
 
 LINES = "\n\r\t"
-"""What parts the lines and columns of a text."""
+"""Characters that separate lines and columns."""
 _SPACES = "\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000"
-"""Spaces of other widths, as between thousands; all that is seen of them is a gap."""
+"""Spaces of other widths, as between thousands, which only show as a gap."""
 
 
 def _escape(character: str) -> str:
@@ -296,7 +296,7 @@ def _escape(character: str) -> str:
 
 
 def shortened(text: str, most: int) -> str:
-    """Return the beginning and the end of a text that is longer than ``most`` characters, with what they leave out."""
+    """Shorten a text of more than ``most`` characters to its start and end, with the number of characters omitted."""
     if len(text) <= most:
         return text
     end = most // 4
@@ -304,7 +304,7 @@ def shortened(text: str, most: int) -> str:
 
 
 def _shown(value: object) -> str:
-    """Return ``repr`` of a value on one line, cut to a length that still fits it."""
+    """Return ``repr`` of a value on one line, shortened if necessary."""
     try:
         text = repr(value)
     except Exception:
@@ -314,7 +314,7 @@ def _shown(value: object) -> str:
 
 
 def missing_extra(error: ModuleNotFoundError) -> str | None:
-    """Return which extra brings a library that is not installed; None of one that belongs to none."""
+    """Return the extra that installs a missing library, or None if there is none."""
     library = (error.name or "").partition(".")[0]
     if library not in EXTRAS:
         return None

@@ -20,7 +20,7 @@ __all__ = ["animate", "draw", "force_histories", "save", "shot_figure", "traject
 
 
 def force_histories(histories: Mapping[str, History | Mapping[str, ArrayLike]]) -> Figure:
-    """Draw the force on the ball over time, normal and along the face, one line a model.
+    """Draw the force on the ball over time, normal and along the face, one line per model.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The registry of quantities: name, symbol, units, digits, label, meaning and sign of everything that is computed.
+"""The registry of quantities: name, symbol, units, digits, label, meaning and sign of every computed value.
 
 It is stated once, in the compiled core, which Python, C and the browser share. A quantity that only one computation
 knows, such as the strokes that are gained on a hole, is registered where that computation stands, by
@@ -34,13 +34,13 @@ __all__ = [
 
 
 SYSTEMS = ("golf", "metric")
-"""Systems of units that people read: mph and yards, or m/s and metres."""
+"""Systems of units: mph and yards, or m/s and metres."""
 _system: ContextVar[str] = ContextVar("system of units", default="golf")
 
 
 @contextmanager
 def read_in(system: str) -> Iterator[None]:
-    """Write sentences, tables and pictures in the units of ``system``, "golf" or "metric", while the context lasts.
+    """Show sentences, tables and pictures in the units of ``system``, "golf" or "metric", within the block.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def read_in(system: str) -> Iterator[None]:
 
 
 class Reading(NamedTuple):
-    """How people read a quantity: the unit, and the places behind the point."""
+    """How a quantity is shown: its unit and decimal places."""
 
     unit: str
     digits: int
@@ -105,11 +105,11 @@ class Quantity(NamedTuple):
 
     @property
     def reading(self) -> Reading:
-        """How people read it in the system of :func:`read_in`."""
+        """The unit and digits in the system of units set by :func:`read_in`."""
         return self.metric if _system.get() == "metric" else self.golf
 
     def digits(self, unit: str) -> int:
-        """Return the places behind the point with which it is read in ``unit``: those of the nearest known reading."""
+        """Return the decimal places for showing the quantity in ``unit``, derived from the nearest known reading."""
         for known in (self.golf, self.metric):
             if unit == known.unit:
                 return known.digits
@@ -118,11 +118,11 @@ class Quantity(NamedTuple):
 
 _OWN: dict[str, Quantity] = {}
 _HEAD_PREFIXES = ("shape_", "thickness_", "target_", "grooves_")
-"""How lengths of a head begin, which people read in millimetres."""
+"""Prefixes of the names of head dimensions, which are shown in millimetres."""
 
 
 def register_quantity(name: str, unit: str = "1", **fields: Any) -> Quantity:
-    """Add a quantity that the core does not know; ``fields`` are those of :class:`Quantity`.
+    """Register a quantity that the core does not know; ``fields`` are the fields of :class:`Quantity`.
 
     Readings that are left out are those of the dimension; a single reading is both.
 
@@ -148,7 +148,7 @@ def quantities() -> dict[str, Quantity]:
 
 
 def quantity(name: str, unit: str | None = None) -> Quantity:
-    """Return the quantity called ``name``, or one that is described by its SI ``unit`` alone.
+    """Return the quantity ``name``, or one described only by its SI ``unit``.
 
     A name of several words, such as ``mean_carry``, is of the quantity with which it ends.
 
@@ -171,12 +171,12 @@ def quantity(name: str, unit: str | None = None) -> Quantity:
 
 
 def display_unit(name: str, unit: str) -> str:
-    """Return the unit people read the quantity called ``name`` in, which is held in the SI ``unit``."""
+    """Return the unit for showing the quantity ``name`` to people; its SI unit is ``unit``."""
     return _reading_of(name, unit).reading.unit
 
 
 def file_unit(name: str, unit: str) -> str:
-    """Return the unit that files have the quantity called ``name`` in, which is held in the SI ``unit``."""
+    """Return the unit of the quantity ``name`` in files; its SI unit is ``unit``."""
     return _reading_of(name, unit).metric.unit
 
 
@@ -190,7 +190,7 @@ def _reading_of(name: str, unit: str) -> Quantity:
 
 
 def format_number(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
-    """Write a number with fixed ``digits``; NaN and None stay empty, and nothing is written as -0."""
+    """Format a number with ``digits`` decimal places; NaN and None give "", and -0 is never written."""
     if value is None or math.isnan(value):
         return ""
     text = f"{value:{'+' if signed else ''}.{digits}f}"
@@ -200,12 +200,12 @@ def format_number(value: float | None, digits: int = 1, *, signed: bool = False)
 
 
 def format_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
-    """Write an SI value with its unit as people read it: "166.4 mph", "3.7%"."""
+    """Format an SI value with its unit, such as "166.4 mph" or "3.7%"."""
     return with_unit(bare_value(value, quantity, unit, digits), quantity.reading.unit if unit is None else unit)
 
 
 def bare_value(value: float, quantity: Quantity, unit: str | None = None, digits: int | None = None) -> str:
-    """Write an SI value as :func:`format_value` does, without its unit: "166.4"."""
+    """Format an SI value without its unit, such as "166.4"; see :func:`format_value`."""
     if unit is None:
         unit = quantity.reading.unit
         # Digits that were chosen for mph are one too few for m/s.
@@ -216,17 +216,17 @@ def bare_value(value: float, quantity: Quantity, unit: str | None = None, digits
 
 
 def with_unit(number: str, unit: str) -> str:
-    """Write a number, or several in words, with a unit as people read it: "40 to 50%", "166.4 mph", "1.48"."""
+    """Append a unit to a number or a range in words: "40 to 50%", "166.4 mph", "1.48"."""
     return number + {"1": "", "%": "%"}.get(unit, f" {unit}")
 
 
 def unit_text(unit: str) -> str:
-    """Return a unit as people read it: nothing for "1", "µs" for "us"."""
+    """Return a unit as shown to people: "" for "1", "µs" for "us"."""
     return {"1": "", "us": "µs"}.get(unit, unit)
 
 
 def convert(value: Any, unit: str, *, difference: bool = False) -> Any:
-    """Return an SI value in ``unit``; a ``difference`` leaves out the offset of a temperature."""
+    """Convert an SI value to ``unit``; for a ``difference``, temperature offsets are left out."""
     return value / units.size(unit) if difference else units.from_si(value, unit)
 
 

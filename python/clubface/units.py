@@ -1,4 +1,4 @@
-"""The only conversions of the package: text with a unit to SI and radians, and back.
+"""All unit conversions of the package: text with a unit to SI and radians, and back.
 
 Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The table of units stands
 in the core, for all languages. Each factor is a fraction: ``"204 g"`` is ``0.204`` to the last bit.
@@ -53,7 +53,7 @@ UNITS: dict[str, Unit] = {
     for each in _core.units()
     for spelling in (each["symbol"], *each["spellings"])
 }
-"""Every unit by its spellings, as the core states them."""
+"""Every unit by its spellings, from the core."""
 
 SI_UNITS: dict[str, str] = {
     unit.dimension: unit.symbol
@@ -63,11 +63,11 @@ SI_UNITS: dict[str, str] = {
 """The SI unit of each dimension."""
 
 MOST_DIMENSIONS = 32
-"""Of an array, as the core takes it."""
+"""The array type that the core takes."""
 
 
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
-    """Return the unit written ``symbol``, of ``dimension`` where one is given; else a :class:`UnitError`."""
+    """Return the unit ``symbol``, which must be of ``dimension`` if given; raise :class:`UnitError` otherwise."""
     if not isinstance(symbol, str):
         raise UnitError(name, symbol, "text, such as " + symbols(dimension)[0])
     return _unit(symbol, dimension, name, symbol)
@@ -75,7 +75,7 @@ def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Un
 
 @lru_cache(maxsize=256)
 def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
-    """Return the unit written ``symbol``, with which ``value`` was given for the quantity called ``name``."""
+    """Return the unit ``symbol``, in which ``value`` was given for the quantity ``name``."""
     result = UNITS.get(key(symbol)) if symbol.strip() else UNITS["1"]
     if result is not None and dimension in (None, result.dimension):
         return result
@@ -88,7 +88,7 @@ def _unit(symbol: str, dimension: str | None, name: str, value: str) -> Unit:
 
 
 def symbols(dimension: str | None = None) -> tuple[str, ...]:
-    """List the units of one dimension, or all, the SI unit first."""
+    """List the units of one dimension, or all units, with the SI unit first."""
     return tuple(dict.fromkeys(each.symbol for each in UNITS.values() if dimension in (None, each.dimension)))
 
 
@@ -139,7 +139,7 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
 
 
 def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tuple[Fraction, Unit]:
-    """Return the number as it was written, to the last digit, and its unit; errors are those of :func:`parse`.
+    """Return the number exactly as written, and its unit; errors as in :func:`parse`.
 
     A value too small for a float is 0.
     """
@@ -154,7 +154,7 @@ def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tupl
 
 
 def _kind(value: object) -> str:
-    """Return the kind of a NumPy number, "f" of any other."""
+    """Return the kind of a NumPy number, and "f" for any other."""
     return getattr(getattr(value, "dtype", None), "kind", "f")
 
 
@@ -175,7 +175,7 @@ def _wanted(dimension: str) -> str:
 
 
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
-    """Convert as :func:`parse`, but a list or array gives a float64 array of the same shape.
+    """Convert like :func:`parse`; a list or array gives a float64 array of the same shape.
 
     Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here. Missing
     elements become NaN: those that are masked, None, NA and NaT of pandas and nulls of Arrow. Truth values, complex
@@ -217,7 +217,7 @@ _FEW_DIMENSIONS = f"one of at most {MOST_DIMENSIONS}"
 
 
 def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) -> NDArray[Any]:
-    """Return an array of a list that holds other things than plain numbers, each taken by itself."""
+    """Return an array from a list with anything but plain numbers, converting element by element."""
     import numpy as np
 
     depth, inner = name.count("["), values
@@ -238,13 +238,13 @@ def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) 
 
 
 def _parse_element(value: Any, dimension: str, name: str) -> float:
-    """Convert one value of many; infinity passes, since its row is reported with the batch."""
+    """Convert one value of many; infinity is accepted, because its row is reported with the batch."""
     value = _plain(value)
     return float(value) if isinstance(value, float) else parse(value, dimension, name=name)
 
 
 def numbers(values: Any, *, name: str) -> NDArray[Any]:
-    """Return an array of numbers that have no unit of their own, or are SI; NaN where one is missing, no texts."""
+    """Return an array of dimensionless or SI numbers, with NaN for missing ones; texts are refused."""
     import numpy as np
 
     if type(values) is np.ndarray and values.dtype == np.float64:
@@ -258,12 +258,12 @@ def numbers(values: Any, *, name: str) -> NDArray[Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Return the value of a scalar of Arrow, which is no number of Python before pyarrow 21, and any other as it is."""
+    """Convert an Arrow scalar, which before pyarrow 21 is no Python number, to its value; return others unchanged."""
     return value.as_py() if hasattr(value, "as_py") else value
 
 
 def is_missing(value: Any) -> bool:
-    """Tell a value that stands for none: None, the NA and NaT of pandas, a null of Arrow, NaN."""
+    """Return whether a value counts as missing: None, pandas' NA and NaT, an Arrow null, or NaN."""
     value = _plain(value)
     if value is None or type(value).__name__ in ("NAType", "NaTType"):
         return True
@@ -271,36 +271,36 @@ def is_missing(value: Any) -> bool:
 
 
 def to_si(value: Any, symbol: str) -> Any:
-    """Express a value (number or array) in the unit ``symbol`` in SI."""
+    """Convert a number or array from the unit ``symbol`` to SI."""
     result = unit(symbol)
     return value * result.numerator / result.denominator + result.offset
 
 
 def from_si(value: Any, symbol: str) -> Any:
-    """Express an SI value (number or array) in the unit ``symbol``."""
+    """Convert an SI number or array to the unit ``symbol``."""
     result = unit(symbol)
     return (value - result.offset) * result.denominator / result.numerator
 
 
 def size(symbol: str) -> float:
-    """Return the size of a unit in SI: what a difference of one of it is."""
+    """Return the size of a unit in SI, as for a difference of one unit."""
     result = unit(symbol)
     return result.numerator / result.denominator
 
 
 def show(value: float, symbol: str, digits: int = 6) -> str:
-    """Write an SI value as text in the unit ``symbol``, to ``digits`` significant digits."""
+    """Format an SI value in the unit ``symbol`` with ``digits`` significant digits."""
     suffix = "" if symbol in ("", "1") else f" {symbol}"
     return f"{from_si(value, symbol):.{digits}g}{suffix}"
 
 
 def fixed(value: float, symbol: str, decimals: int) -> str:
-    """Write an SI value as text in the unit ``symbol``, to ``decimals`` places behind the point."""
+    """Format an SI value in the unit ``symbol`` with ``decimals`` decimal places."""
     return f"{from_si(value, symbol):.{decimals}f} {symbol}"
 
 
 def show_range(least: float, most: float, symbol: str) -> str:
-    """Write two SI values as "``least`` to ``most``" in the unit ``symbol``."""
+    """Format two SI values as "``least`` to ``most``" in the unit ``symbol``."""
     return f"{from_si(least, symbol):g} to {show(most, symbol)}"
 
 
@@ -329,7 +329,7 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 def _split(text: str) -> tuple[str, str]:
-    """Split off the leading number of ``text`` ("" where there is none) and what follows it, stripped."""
+    """Split ``text`` into its leading number ("" if there is none) and the rest, stripped."""
     text = text.strip().replace("−", "-")
     number = _NUMBER.match(text)
     return (number[0], text[number.end() :].strip()) if number else ("", text)

@@ -1,4 +1,4 @@
-"""The command ``clubface``. Each command is one module here, imported only when it is asked for."""
+"""The command ``clubface``. Each command is a module of this package, imported only when it is used."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ INTERRUPTED = 130
 
 
 def main() -> None:
-    """Run the command line and leave with its exit status."""
+    """Run the command line and exit with its status."""
     # The matrices of the commands are small. Starting OpenBLAS's threads costs more than a shot, and on a busy machine
     # they wait for each other: motion capture then takes ten times as long.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -34,7 +34,7 @@ def main() -> None:
 
 
 def _leave_at_once() -> None:
-    """End without the time that libraries take to end: what was begun has been put away, and somebody waits."""
+    """Exit without the clean-up of libraries, which takes time: all work has been saved, and someone is waiting."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(OSError, ValueError):
             stream.flush()

@@ -1,4 +1,4 @@
-"""The list of commands, the command line that was typed, and how a run ends: result, mistake, interruption."""
+"""The list of commands, the command line as typed, and how a run ends: with a result, an error or an interruption."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _ARGUMENTS: ContextVar[tuple[str, ...]] = ContextVar("arguments", default=())
 
 
 def remember(arguments: Sequence[str]) -> None:
-    """Keep the arguments of the command that begins."""
+    """Keep the arguments of the command that is starting."""
     _ARGUMENTS.set(tuple(arguments))
 
 
 def command() -> str:
-    """Return the command as it can be typed again, files without the folders that they lie in."""
+    """Return the command line for repeating the run, with file names without folders."""
     return shlex.join(["clubface", *(Path(each).name if _is_path(each) else each for each in _ARGUMENTS.get())])
 
 
@@ -69,14 +69,14 @@ COMMANDS = {
 }
 """The module of each command, in the order of the help."""
 READER_GONE = 128 + 13
-"""Exit status of a program whose output nobody reads any more, as a shell reports it (SIGPIPE)."""
+"""Exit status of a program whose output was closed by its reader, as shells report it (SIGPIPE)."""
 
 
 class Commands(TyperGroup):
-    """A group that imports the module of a command when it is asked for."""
+    """A command group that imports the module of a command when it is used."""
 
     def list_commands(self, ctx: Any) -> list[str]:
-        """Return the names for the help."""
+        """Return the names of the commands for the help."""
         return list(COMMANDS)
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
@@ -89,13 +89,13 @@ class Commands(TyperGroup):
         return command
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Name the nearest commands to one that does not exist."""
+        """Suggest the nearest commands for one that does not exist."""
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
             raise UnknownNameError("command", args[0], COMMANDS)
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: Any) -> Any:
-        """Keep Ctrl-C and a reader that has gone apart from other reasons to stop."""
+        """Tell Ctrl-C and a closed output from other reasons to stop."""
         try:
             result = super().invoke(ctx)
             sys.stdout.flush()
@@ -125,7 +125,7 @@ def _root(
 
 
 def _options(arguments: Sequence[str]) -> dict[str, str]:
-    """Return the options of the command that ``arguments`` name, as they are typed, by the names of their values."""
+    """Return the options of the command in ``arguments`` as they are typed, by parameter name."""
     command: Any = typer.main.get_command(app)
     for word in arguments:
         if not isinstance(command, TyperGroup) or (result := command.get_command(typer.Context(command), word)) is None:
@@ -136,7 +136,7 @@ def _options(arguments: Sequence[str]) -> dict[str, str]:
 
 
 def _prepare_streams() -> bool:
-    """Return whether there is an output to print on; make one for messages where there is none."""
+    """Return whether there is an output stream, and provide one for messages if there is none."""
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - for the rest of the process
     # Rich takes other digits, such as a superscript, for a number of columns, and then stumbles over them.

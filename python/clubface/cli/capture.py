@@ -210,7 +210,7 @@ def study(
 
 
 def _swings(texts: dict[str, Any], rate: float) -> dict[str, Any]:
-    """Return which synthetic swings are meant: club, hand, laboratory and seed."""
+    """Return the synthetic swings chosen by the options: club, hand, laboratory and seed."""
     from clubface.capture.synthetic.laboratory import Cameras
 
     noise = units.parse(texts["noise"], "length", name="--noise")

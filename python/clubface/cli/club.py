@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 WHOLE, INERTIA = "inertia", ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-"""What ``--set`` calls the whole tensor of inertia, and its elements."""
+"""Names in ``--set`` of the whole inertia tensor and of its elements."""
 
 app = typer.Typer(add_completion=False, help="Make and check a club file.", no_args_is_help=True)
 
@@ -51,7 +51,7 @@ def new(
 
 
 def _changes(base: Club, typed: dict[str, str]) -> dict[str, Any]:
-    """Return the fields that change, the whole tensor of inertia as its elements."""
+    """Return the fields to change; a whole inertia tensor becomes its elements."""
     from clubface.equipment.clubs import CLUB_PROPERTIES
 
     for key in typed:
@@ -65,7 +65,7 @@ def _changes(base: Club, typed: dict[str, str]) -> dict[str, Any]:
 
 
 def _template(name: str, changes: dict[str, Any]) -> str:
-    """Return the explained template with other values."""
+    """Return the commented template with changed values."""
     from clubface.equipment.clubs import Club
 
     text = Club.template(name)
@@ -80,7 +80,7 @@ def _template(name: str, changes: dict[str, Any]) -> str:
 
 
 def _factor(text: str) -> float:
-    """Return what "+10%" or "-5 %" multiplies by."""
+    """Return the factor of "+10%" or "-5 %"."""
     result = re.fullmatch(r"([+-]\s*\d+(?:\.\d*)?)\s*%", text)
     if result is None:
         raise InputError(f"--set {WHOLE}", text, 'a change in per cent, as in "inertia=+10%"')

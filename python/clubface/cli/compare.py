@@ -26,7 +26,7 @@ def alternatives_of(
     texts: Mapping[str, Any],
     units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, Any]]:
-    """Return every combination of what was given, called by what differs.
+    """Return every combination of the given alternatives, named by what differs.
 
     ``units`` are those of columns of ``file`` that name none.
     """
@@ -56,7 +56,7 @@ def alternatives_of(
 
 
 def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
-    """Return things by their names; those of the same name are called as they were typed."""
+    """Return things by name; things with the same name are named as they were typed."""
     names = [each.name for each, _ in pairs]
     result = {}
     for name, (each, typed) in zip(names, pairs, strict=True):
@@ -69,7 +69,7 @@ def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
 
 
 def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the parameter sets of a model to compare: those given that fit it, or that by default."""
+    """Return the parameter sets of a model to compare: the given ones that fit it, or its default."""
     settings = texts["setting"] or []
     options.parameter_sets(models, head.parameters, texts["parameters"], settings)  # refuses what fits none of them
     usual = options.parameter_sets([model], head.parameters)[model]
@@ -122,7 +122,7 @@ def _deliveries(
 
 
 def labelled(alternatives: Mapping[str, Any], labels: Sequence[str]) -> dict[str, Any]:
-    """Return alternatives under names of a person's own, given in their order."""
+    """Return alternatives under names chosen by the user, in order."""
     if len(labels) != len(alternatives):
         named = "; ".join(alternatives)
         raise InputError("--label", ", ".join(labels), f"given {len(alternatives)} times, once for each of: {named}")

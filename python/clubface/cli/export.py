@@ -1,4 +1,4 @@
-"""``clubface export``: clubs, models and deliveries as other programs take them."""
+"""``clubface export``: clubs, models and deliveries for other programs."""
 
 from __future__ import annotations
 
@@ -81,6 +81,6 @@ def fmu(club: options.ClubArgument, output: Source, **texts: Any) -> None:
 
 
 def _head(club: str, texts: dict[str, Any]) -> Any:
-    """Return the club, turned and on its shaft as the options say."""
+    """Return the club with the hand and the shaft chosen by the options."""
     head = options.club_of(club, texts["hand"], texts["model"])
     return head if texts["shaft"] is None else head.on_shaft(texts["shaft"])

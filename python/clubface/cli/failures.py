@@ -1,4 +1,4 @@
-"""How a mistake is reported: one message on the error stream and exit status 2; and notes that stop nothing."""
+"""How errors are reported: one message on the error stream and exit status 2. Notes do not stop the run."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from clubface.support.renamed import RENAMED
 
 
 class Interrupted(BaseException):
-    """The person pressed Ctrl-C."""
+    """The user pressed Ctrl-C."""
 
 
 class ReaderGone(BaseException):
-    """Whoever read the standard output has closed it."""
+    """The reader of standard output has closed it."""
 
 
 def print_note(message: str) -> None:
-    """Write one message on the error stream, on one line; one that cannot be written is no reason to stop.
+    """Write one message on one line of the error stream; a failure to write it is ignored.
 
     It comes after what was printed before, also where both streams go to one file.
     """
@@ -34,13 +34,13 @@ def print_note(message: str) -> None:
 
 
 def print_written(files: Sequence[object]) -> None:
-    """Tell which files were written, if any."""
+    """Print the names of the files written, if any."""
     if files:
         print_note(f"wrote {', '.join(map(str, files))}")
 
 
 def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
-    """Name the option as it is typed in an error about its value; ``options`` go by the names of their values."""
+    """Use the option as typed in an error about its value; ``options`` are keyed by parameter name."""
     if isinstance(error, InputError) and not isinstance(error, UnknownNameError):
         first, rest = error.parameter.partition(" ")[::2]
         error.parameter = " ".join([options.get(first, first), *([rest] if rest else [])])
@@ -48,7 +48,7 @@ def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
 
 
 def report(error: BaseException) -> int:
-    """Tell what went wrong; return the exit status."""
+    """Report an error; return the exit status."""
     if isinstance(error.__cause__, KeyboardInterrupt):  # Python gives another error for one while a class is made
         error = error.__cause__
     if isinstance(error, (Interrupted, KeyboardInterrupt)):
@@ -81,12 +81,12 @@ def report(error: BaseException) -> int:
 
 
 def let_go_of_output() -> None:
-    """Send what is left for the standard output nowhere, so that Python does not try again at its end."""
+    """Discard the remaining standard output, so that Python does not try to write it at exit."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def missing_library(error: ModuleNotFoundError) -> int:
-    """Tell which extra brings a library that is not installed; return the exit status."""
+    """Report which extra installs a missing library; return the exit status."""
     message = missing_extra(error)
     if message is None:
         raise error
@@ -95,7 +95,7 @@ def missing_library(error: ModuleNotFoundError) -> int:
 
 
 def _misused(error: Any) -> int:
-    """Tell about an option or argument that is missing, unknown or malformed (an exception of Typer)."""
+    """Report a missing, unknown or malformed option or argument (an exception of Typer)."""
     context = getattr(error, "ctx", None)
     message = error.format_message()
     if type(error).__name__ == "NoArgsIsHelpError":
@@ -107,7 +107,7 @@ def _misused(error: Any) -> int:
 
 
 def show_warnings() -> None:
-    """Show warnings as notes of one line.
+    """Show warnings as one-line notes.
 
     ``clubface clubs`` notes that the ball `published` is a little below the rule limit; it is not repeated each time.
     """

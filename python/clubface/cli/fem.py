@@ -1,4 +1,4 @@
-"""``clubface fem``: finite element impacts, what they are made of, tests of heads, and better heads."""
+"""``clubface fem``: finite element impacts, balls and heads, tests of heads, and the design of heads."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ REFERENCE = options.group(None, {
     "meshes": (int, 1, "COUNT", "Number of meshes, 1 to 6, each with a third more elements along every edge."),
 })  # fmt: skip
 MOVING = 81
-"""Pictures of an animation."""
+"""Number of frames in an animation."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
-"""Of Fig. 8 of Roh and Lee."""
+"""The case of Fig. 8 in Roh and Lee."""
 
 
 GRID = options.group(None, {
@@ -292,7 +292,7 @@ def export(
 def _sweep(
     base: Case, speed: str, loft: str, folder: str | None, *, workers: int | None = None, published: bool
 ) -> tuple[Result, list[Path]]:
-    """Run a case over a grid; return the result, and with a folder the files written there."""
+    """Run a case over a grid; return the result and the files written to a folder, if one is given."""
     from clubface.fem import sweep as sweeps
 
     speeds, lofts = sweeps.grid(speed, "speed", "--speed"), sweeps.grid(loft, "angle", "--loft")
@@ -304,7 +304,7 @@ def _sweep(
 
 
 def _write(result: Result, folder: str | None) -> list[Path]:
-    """Write figures, histories and pictures to a folder where one is given."""
+    """Write figures, histories and pictures to a folder, if one is given."""
     if folder is None:
         return []
     from clubface.present.drawing import draw
@@ -319,7 +319,7 @@ def _write(result: Result, folder: str | None) -> list[Path]:
 
 
 def _end(impact: Impact) -> None:
-    """When all that a run has is printed and written: say why there is no launch, if there is none."""
+    """After printing and writing the results of a run, report why there is no launch, if there is none."""
     if impact.interrupted:
         raise Interrupted(f"interrupted at {fixed(impact.contact['time'][-1:].sum(), 'us', 0)} of the impact")
     if impact.unfinished:  # as long as was asked for

@@ -1,4 +1,4 @@
-"""``clubface flight``: the flight of a ball whose launch is known."""
+"""``clubface flight``: the flight of a ball from a known launch."""
 
 from __future__ import annotations
 

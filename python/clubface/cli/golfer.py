@@ -1,4 +1,4 @@
-"""``clubface golfer``: golfers as distributions of deliveries, shipped ones and one's own from a monitor's file."""
+"""``clubface golfer``: golfers as distributions of deliveries, built in or estimated from a monitor's file."""
 
 from __future__ import annotations
 

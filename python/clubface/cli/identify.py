@@ -46,7 +46,7 @@ FILES = options.group(None, {
                    "Folder that keeps finished work; default SHOTS-CLUB-MODEL.checkpoint."),
 })  # fmt: skip
 _PASSED_ON = ("cost", "normaliser", *(name for name in SEARCH if name != "profiles"), "ball", "accuracy")
-"""Options that reach the fit as they are."""
+"""Options that are passed on to the fit unchanged."""
 
 
 @app.command()

@@ -1,4 +1,4 @@
-"""``clubface infer``: from launches back to the deliveries that can have made them."""
+"""``clubface infer``: from launches back to the deliveries that could have produced them."""
 
 from __future__ import annotations
 

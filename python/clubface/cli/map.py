@@ -84,7 +84,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
 
 
 def _second(target: str) -> str:
-    """Return the name under which points of the second club are kept until the file is written."""
+    """Return the name under which the second club's points are kept until the file is written."""
     path = Path(target)
     return str(path.with_name(f"{path.stem}.minus{path.suffix}"))
 

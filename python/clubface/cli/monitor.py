@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from clubface.shots.messages import Message
 
 LONGEST = 30 * 86400.0
-"""Longest time to wait [s]."""
+"""Longest waiting time [s]."""
 MOST_SHOTS = 1_000_000
 SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
-"""What is printed of a shot."""
+"""The quantities printed for a shot."""
 PORT = options.group(None, {"port": (int, 921, "NUMBER", "Port on this machine.")})
 HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
 _CLUBS = options.option(
@@ -64,7 +64,7 @@ def listen(**texts: Any) -> None:
     kept: list[Message] = []
 
     def keep(message: Message) -> None:
-        """Write a shot to the disk before it is acknowledged, so that none can be lost."""
+        """Write a shot to disk before it is acknowledged, so that none can be lost."""
         if target is not None:
             recorded([*kept, message], hand=hand).write(target)
         kept.append(message)
@@ -222,7 +222,7 @@ def formats(
 
 
 def _clubs(texts: list[str]) -> Any:
-    """Return a club, clubs by name in the file, or None."""
+    """Return a club, a mapping of clubs by their name in the file, or None."""
     if any("=" in each for each in texts):
         return options.pairs(texts, "--club")
     if len(texts) > 1:
@@ -231,7 +231,7 @@ def _clubs(texts: list[str]) -> Any:
 
 
 def _seconds(option: str, text: str, above: float | None = None) -> float:
-    """Return a time to wait [s], 0 too unless it must be above."""
+    """Return a waiting time [s], which may be 0 unless it must be positive."""
     value = parse(text, "time", name=option)
     if value < 0.0 or value == above or value > LONGEST:
         least = "above 0" if above is not None else "from 0"
@@ -254,7 +254,7 @@ def _shot_text(message: Message, as_json: bool) -> str:
 
 
 def _range(text: str | None, count: int) -> tuple[int, int]:
-    """Return the first and the last shot that a text such as "2:9" names."""
+    """Return the first and last shot of a range such as "2:9"."""
     if text is None:
         return 1, count
     first, _, last = text.partition(":")

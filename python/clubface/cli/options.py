@@ -1,4 +1,4 @@
-"""Options and arguments that commands share, in groups that a command takes as a whole, and what their texts mean."""
+"""Shared options and arguments, in groups that a command takes as a whole, and the parsing of their values."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ Group = Mapping[str, tuple[Any, Any]]
 
 
 def option(*names: str, metavar: str, text: str, panel: str | None = None) -> Any:
-    """Return an option whose default is named, if at all, in its help ``text``."""
+    """Return an option whose default, if any, is described in its help ``text``."""
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
 
 
 def output(metavar: str, text: str) -> Any:
-    """Return the option that names what a command writes."""
+    """Return the option for the output file of a command."""
     return option("--output", "-o", metavar=metavar, text=text)
 
 
 def text_option(name: str, panel: str | None, metavar: str, text: str) -> tuple[Any, None]:
-    """Return the annotation and default of an option whose value is text or None."""
+    """Return the annotation and default of a text option."""
     return Annotated[str | None, option(name, panel=panel, metavar=metavar, text=text)], None
 
 
 def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]]) -> Group:
-    """Return options of one panel, each a name with its type, default, placeholder and help; a default is shown."""
+    """Return the options of one help panel, each given as name, type, default, placeholder and help."""
     options = {}
     for name, (kind, default, metavar, text) in rows.items():
         flag = f"--{name.replace('_', '-')}"
@@ -47,14 +47,14 @@ def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]
 
 
 def renamed(**names: str) -> Group:
-    """Return options, each of one text, by their old names, which no help shows; :func:`take_renamed` moves them."""
+    """Return hidden options under old names, each with one text; :func:`take_renamed` moves their values."""
     return {
         old: (Annotated[str | None, typer.Option(f"--{old.replace('_', '-')}", hidden=True)], None) for old in names
     }
 
 
 def take_renamed(texts: dict[str, Any], **names: str) -> None:
-    """Move what was given by an old name to the new one, with a warning."""
+    """Move values given under an old name to the new one, with a warning."""
     for old, new in names.items():
         text = texts.pop(old)
         if text is not None:
@@ -66,7 +66,7 @@ def take_renamed(texts: dict[str, Any], **names: str) -> None:
 
 
 def _quantities(subject: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
-    """Return options for quantities, each with an example and a help text."""
+    """Return options for physical quantities, each with an example and a help text."""
     return {
         name: text_option(f"--{name.replace('_', '-')}", f"{subject} (a value with its unit)", f'"{example}"', text)
         for name, (example, text) in examples.items()
@@ -100,7 +100,7 @@ Report = Annotated[
 
 
 def picture(name: str) -> Any:
-    """Return the option that names a picture."""
+    """Return the option for a picture file."""
     return option("--plot", metavar="FILE", text=f"Draw {name}: .png, .svg or .pdf.")
 
 
@@ -225,11 +225,11 @@ WORTH: Group = {
         None,
     ),
 }
-"""What a golfer does not notice is not ranked."""
+"""Differences too small to notice, which are not ranked."""
 
 
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command the options of ``groups``, which reach its keyword arguments, after its own required ones."""
+    """Add the options of ``groups`` to a command, after its own required arguments, as keyword arguments."""
     added = {name: each for group in groups for name, each in group.items()}
 
     def with_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -251,18 +251,18 @@ USUAL = {
     "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
     "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
 }  # fmt: skip
-"""Least and most [SI] of a dimension in golf, whatever the sign, and the unit in which it is shown."""
+"""Smallest and largest magnitude [SI] of each dimension in golf, and the unit for showing it."""
 USUAL_OF = {
     "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
     **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),
     **dict.fromkeys(("--hole", "--fairway", "--rough"), (0.0, 0.0, "yd")),
     **dict.fromkeys(("--closure", "--pitch-rate", "--lie-rate"), (0.0, 250.0, "deg/s")),
 }  # fmt: skip
-"""The same of options that are more narrowly known than their dimension."""
+"""The same for options with a narrower range than their dimension."""
 
 
 ONCE = ("--delivery", "--air", "--unit", "--assume")
-"""Options in which no name may be given twice; of those of --set the last wins."""
+"""Options in which no name may occur twice; in --set, the last one wins."""
 
 
 def parsed(option: str, text: str, dimension: str) -> float:
@@ -292,7 +292,7 @@ def parsed(option: str, text: str, dimension: str) -> float:
 def quantities(
     given: Mapping[str, str | None], dimensions: Mapping[str, str], required: Mapping[str, str]
 ) -> dict[str, float]:
-    """Return the values that were given, SI; those ``required``, each with an example, must be among them."""
+    """Return the values given, in SI; the ``required`` ones, each with an example, must be among them."""
     result = {}
     for name, dimension in dimensions.items():
         option, text = f"--{name.replace('_', '-')}", given[name]
@@ -304,14 +304,14 @@ def quantities(
 
 
 def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
-    """Return the delivery values that were given, SI; the speed must be among them."""
+    """Return the delivery values given, in SI; the speed must be among them."""
     from clubface.simulation.inputs import DIMENSIONS
 
     return quantities(given, DIMENSIONS, {"speed": "113 mph"})
 
 
 def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
-    """Return the club called ``name``, turned to ``hand`` where one is given; ``model`` is what computes its shots."""
+    """Return the club ``name``, for ``hand`` if given; ``model`` is the model that computes its shots."""
     from clubface.equipment.clubs import club
 
     result = club(name)
@@ -325,7 +325,7 @@ def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | Non
 
 
 def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[str]:
-    """Return the models asked for, in the order asked; "all" are those of the registry."""
+    """Return the requested models in order; "all" means every model of the registry."""
     asked = names(given or [unless_given])
     if not asked:
         raise UnknownNameError("model", "", models())
@@ -334,12 +334,12 @@ def model_names(given: Iterable[str] | None, unless_given: str = "all") -> list[
 
 
 def names(texts: Iterable[str] | None) -> list[str]:
-    """Return the names in texts that each hold one or several with commas, each once."""
+    """Return the distinct names in texts that hold one name or several, separated by commas."""
     return list(dict.fromkeys(name.strip() for each in texts or () for name in each.split(",") if name.strip()))
 
 
 def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
-    """Refuse an accuracy of which none of the models makes any use."""
+    """Refuse an accuracy that none of the models uses."""
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
         words = f"leave it out: {', '.join(names)} has no time steps; models with time steps: {', '.join(contact)}"
@@ -347,7 +347,7 @@ def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
 
 
 def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
-    """Return the parameter set that the options of ``options.ONE_MODEL`` choose for a club."""
+    """Return the parameter set chosen for a club by the options in ``options.ONE_MODEL``."""
     model = texts["model"]
     check_accuracy([model], texts["accuracy"])
     return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
@@ -408,7 +408,7 @@ def _models_to_name(having: Iterable[str]) -> str:
 
 
 def conditions(given: Mapping[str, str | None]) -> dict[str, Any]:
-    """Return air, wind and, for a command that takes one, ground; single options win over the one text ``air``."""
+    """Return air, wind and, if the command takes one, ground; single options take precedence over ``air``."""
     words = pairs(given["air"].split(","), "--air") if given["air"] is not None else {}
     single = [name for name in AIR if name != "air"]
     check_names("value of --air", words, single)
@@ -426,7 +426,7 @@ def _air_dimension(name: str) -> str:
 
 
 def _wind(text: str) -> tuple[float, float, float]:
-    """Return the wind to the target, up and right from "along" or "along, right"."""
+    """Return the wind components towards the target, up and to the right from "along" or "along, right"."""
     parts = text.split(",")
     if len(parts) > 2:
         raise InputError("--wind", text, 'a tailwind, or "along, right" as in "-5 m/s, 2 m/s"')
@@ -435,7 +435,7 @@ def _wind(text: str) -> tuple[float, float, float]:
 
 
 def pairs(texts: Iterable[str], option: str) -> dict[str, str]:
-    """Return names and values of texts of the form name=value; ``option`` is called so in errors."""
+    """Return names and values from texts like name=value; ``option`` is the name used in errors."""
     result = {}
     for text in texts:
         key, equals, value = text.partition("=")

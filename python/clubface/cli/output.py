@@ -1,4 +1,4 @@
-"""What commands share around their result: legible streams, checks of files to write, templates, and progress."""
+"""Shared code around a command's result: legible output, checks of output files, templates and progress bars."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from clubface.units import fixed
 
 
 class _Legible:
-    """A stream for people: whatever is written to it comes out as :func:`clubface.errors.legible` has it.
+    """A text stream that passes everything through :func:`clubface.errors.legible`.
 
     On a terminal, what sets the type of letters passes, or on the error stream what moves a bar: tables, notes and
     messages, in which texts of others come, are legible before.
@@ -40,13 +40,13 @@ class _Legible:
 
 @contextmanager
 def legible_streams() -> Iterator[None]:
-    """Let nothing that a file holds reach the output as more than letters."""
+    """Make control characters from files harmless on standard output and error."""
     with redirect_stdout(_Legible(sys.stdout, "m")), redirect_stderr(_Legible(sys.stderr, "A-Za-z")):  # pyright: ignore[reportArgumentType]
         yield
 
 
 def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: Iterable[str | None] = ()) -> None:
-    """Refuse a file to write of another kind, whose folder is not there or that is one of the ``inputs``.
+    """Refuse an output file of a wrong type, in a missing folder, or equal to one of the ``inputs``.
 
     Errors come before work begins. ``kinds`` are the endings a name may have.
     """
@@ -65,13 +65,13 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
 
 
 def check_not_read(target: str | None) -> None:
-    """Refuse ``--output`` that is a file which the command has read, such as a club that a study names."""
+    """Refuse an ``--output`` that the command has read, such as a club file named in a study."""
     if target is not None and place_of(target) in {each.place for each in recorded_files()}:
         raise InputError("--output", target, "a file other than those that are read")
 
 
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse a picture to write in the same way; a missing library is an error as well."""
+    """Refuse a picture file in the same way; a missing library is an error too."""
     if target is not None:
         from clubface.present.style import ENDINGS
 
@@ -79,7 +79,7 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
 
 
 def check_report(target: str | None, inputs: Iterable[str | None] = (), name: str = "--report") -> None:
-    """Refuse a report to write in the same way; ``name`` is that of the option."""
+    """Refuse a report file in the same way; ``name`` is the option."""
     if target is not None:
         from clubface.present.document import ENDINGS
 
@@ -88,20 +88,20 @@ def check_report(target: str | None, inputs: Iterable[str | None] = (), name: st
 
 
 def check_resume(resume: bool, target: str | None) -> None:
-    """Refuse to go on with work of which nothing was kept, as no file is written."""
+    """Refuse to resume work without an output file, because nothing was kept."""
     if resume and target is None:
         raise ClubfaceError("--output is missing; finished work is kept next to it, so --resume needs it")
 
 
 def prepare_folder(folder: str | None) -> None:
-    """Make a folder for tables and pictures; what cannot be made, or a missing library, is an error before any work."""
+    """Create a folder for tables and pictures; failures and missing libraries are reported before any work."""
     if folder is not None:
         prepared_folder(folder)
         from clubface import plots  # noqa: F401
 
 
 def write_template(text: str, target: str | None, then: str) -> None:
-    """Write a template of a TOML file to the screen or a new file, and say what to do ``then``."""
+    """Write a TOML template to the screen or a new file, followed by the hint ``then``."""
     if target is None:
         print(text, end="")
         return
@@ -111,16 +111,16 @@ def write_template(text: str, target: str | None, then: str) -> None:
 
 
 Update = Callable[..., object]
-"""Takes what is done, the whole of it, and what else the text next to the bar says."""
+"""Called with the amount done, the total, and further text next to the bar."""
 
 
 SECONDS_BETWEEN_LINES = 60.0
-"""How often a long run writes a line where no bar can be shown."""
+"""How often a long run writes a line if no bar can be shown."""
 
 
 @contextmanager
 def progress_bar(text: str | Callable[..., str], *, kept: str | None = None) -> Iterator[Update | None]:
-    """Show a bar on the error stream where that is a terminal.
+    """Show a progress bar on the error stream if it is a terminal.
 
     The ``text`` next to it is made of what the bar is given; a word names what is counted. ``kept`` is the file next to
     which a long run keeps what is finished: where there is no terminal, a line says so once work has begun, and another
@@ -160,6 +160,6 @@ def progress_bar(text: str | Callable[..., str], *, kept: str | None = None) -> 
 
 
 def run_with_progress(run: Callable[[Update | None], Any]) -> Any:
-    """Run an impact of finite elements under a bar."""
+    """Run a finite element impact with a progress bar."""
     with progress_bar(lambda time, whole: fixed(time, "us", 0)) as update:
         return run(update)

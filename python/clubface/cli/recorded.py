@@ -1,4 +1,4 @@
-"""From the options of a command to recorded shots, whatever measured them."""
+"""Recorded shots from the options of a command."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ READING: Group = {
                   "Use only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
     }),
 }  # fmt: skip
-"""Options of a command that reads a file of shots."""
+"""Options of commands that read a file of shots."""
 CHOICE: Group = {**READING, **options.group(_SHOTS, {
     "only": (str | None, None, "NAME", "Use only the shots of the club with this name in the file."),
     "mismatch": (str, "refuse", "refuse|note", "Refuse shots of another club, or accept them with a note."),
     "assume": (options.Texts, None, "NAME=VALUE",
                'Value to assume where it was not measured: "toe=0 mm". Repeatable.'),
 })}  # fmt: skip
-"""Options of a command that works on shots of one club."""
+"""Options of commands that work on the shots of one club."""
 RECORDED: Group = {
     "club": text_option("--club", "Club and ball", "CLUB", "Name or TOML file; default: the club that the shots name."),
     **CHOICE,
     **options.EQUIPMENT,
 }
-"""The same, where the club may be that which the shots name."""
+"""The same, for commands in which the club may come from the shots."""
 
 
 Files = Annotated[
@@ -56,7 +56,7 @@ Files = Annotated[
 def read_shots(
     path: str | list[str], texts: Mapping[str, Any], club: Any = None, *, where: bool = False
 ) -> RecordedShots:
-    """Return the shots of files, from ``hand`` and the options of ``READING``; of ``--where`` only if ``where``."""
+    """Return the shots of files, from ``hand`` and the options of ``READING``, and of ``--where`` if ``where``."""
     from clubface.shots.reading import read
 
     units = options.pairs(texts["file_unit"] or (), "--unit")
@@ -76,12 +76,12 @@ def recorded_shots(path: str | list[str], texts: Mapping[str, Any]) -> ReadyShot
 
 
 def choice(texts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what :func:`clubface.shots.measured.ready_shots` takes, from the options of ``RECORDED``."""
+    """Return the arguments of :func:`clubface.shots.measured.ready_shots` from the options of ``RECORDED``."""
     return {name: texts[name] for name in ("club", "hand", "only", "where", "mismatch")} | {"assume": assumed(texts)}
 
 
 def assumed(texts: Mapping[str, Any]) -> dict[str, str]:
-    """Return the values that are stated for what was not measured; one without a unit is an error."""
+    """Return the values assumed for quantities that were not measured; a value without a unit is an error."""
     from clubface.simulation.inputs import DIMENSIONS
 
     values = options.pairs(texts["assume"] or (), "--assume")

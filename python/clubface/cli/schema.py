@@ -1,4 +1,4 @@
-"""``clubface schema``: what a TOML file may hold, as JSON Schema, with which editors complete and check it."""
+"""``clubface schema``: the JSON Schema of TOML files, for completion and checks in editors."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from clubface.errors import RangeWarning
 app = typer.Typer(add_completion=False)
 
 DRAWN = 1e-8
-"""Accuracy of a history that is drawn: its steps are close enough to make a smooth line."""
+"""Accuracy of plotted histories, whose steps are small enough for a smooth line."""
 
 
 @app.command()
@@ -57,7 +57,7 @@ def shot(club: options.ClubArgument, **texts: Any) -> None:
 
 
 def _with_reasons(result: Any, launches: Mapping[str, Any], delivery: Any, conditions: Mapping[str, Any]) -> Any:
-    """Return a shot with the reasons for its flight, as words and as a picture, by the first model that gives them."""
+    """Return a shot with the reasons for its flight, in words and as a picture, by the first model that has them."""
     from clubface.equipment.models import models
     from clubface.simulation.explanation import explain, explanation_picture
 
@@ -78,7 +78,7 @@ def _with_reasons(result: Any, launches: Mapping[str, Any], delivery: Any, condi
 def _paths(
     launches: Mapping[str, Any], conditions: Mapping[str, Any], delivery: Mapping[str, float]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return positions of the balls in flight, and the force histories of the models that have one, by model."""
+    """Return the flight paths and, for the models that have them, the force histories, by model."""
     from clubface.simulation.flight import trajectory
     from clubface.simulation.history import history
     from clubface.simulation.impact import backend_of

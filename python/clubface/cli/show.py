@@ -1,4 +1,4 @@
-"""What every command does with its result: print it, or write JSON, tables, pictures and a report."""
+"""How every command outputs its result: printed, or written as JSON, tables, pictures and a report."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ UNITS: options.Group = {
         None,
     )
 }
-"""Groups of options that say what becomes of a result; :class:`Output` takes their values."""
+"""Option groups for the destinations of a result; :class:`Output` takes their values."""
 
 
 def plot_option(words: str) -> options.Group:
-    """Return the option of a picture of what the ``words`` say."""
+    """Return the option for a picture, described by ``words``."""
     return {"plot": (Annotated[str | None, options.picture(words)], None)}
 
 
 def table_option(words: str) -> options.Group:
-    """Return the option of the file to which the main table is written; ``words`` are its help."""
+    """Return the option for the file of the main table; ``words`` are its help."""
     return {"target": (Annotated[str | None, options.output("FILE", words)], None)}
 
 
@@ -47,7 +47,7 @@ TABLE = table_option("Write the main table to this CSV or Parquet file.")
 
 @dataclass(frozen=True)
 class Output:
-    """Where a result goes.
+    """The destinations of a result.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class Output:
     def check(
         cls, texts: Mapping[str, Any], inputs: Iterable[str | None] = (), kinds: Sequence[str] | None = None
     ) -> Output:
-        """Return where the result goes, from the options of a command, whose errors come before any work.
+        """Return the destinations of a result from the options of a command; errors are raised before any work.
 
         ``inputs`` are files that are read, ``kinds`` the endings of the table's file.
         """
@@ -101,7 +101,7 @@ class Output:
         more: Sequence[object] = (),
         parts: Mapping[str, Result] | None = None,
     ) -> None:
-        """Print a result, write the files that were asked for, and say which.
+        """Print a result, write the requested files, and print their names.
 
         ``write_table`` is False where the command has written the target itself. ``more`` are further files that the
         command wrote. ``parts`` are written into the folder in place of the whole, each into one of its own.
@@ -121,7 +121,7 @@ class Output:
         print_written([*more, *(each for each in (self.target, self.plot, self.report) if each is not None)])
 
     def _write(self, result: Result, write_table: bool, parts: Mapping[str, Result]) -> list[Path]:
-        """Write the files that were asked for and return those of the folder."""
+        """Write the requested files and return the files in the folder."""
         if self.target is not None and write_table:
             from clubface.present import files
 
@@ -143,7 +143,7 @@ class Output:
 
 
 def save_picture(result: Result, path: str | Path, units: Mapping[str, str] | None = None) -> Path:
-    """Write the first picture of a result to a file, which is returned."""
+    """Write the first picture of a result to a file and return the file."""
     from clubface.present.drawing import draw
     from clubface.present.style import save
 
@@ -151,7 +151,7 @@ def save_picture(result: Result, path: str | Path, units: Mapping[str, str] | No
 
 
 def _units(texts: Iterable[str] | None) -> dict[str, str]:
-    """Return the units that a person asked for, by quantity."""
+    """Return the requested units, by quantity."""
     known = quantities()
     chosen = {}
     for name, symbol in options.pairs(texts or (), "--unit").items():

@@ -1,4 +1,4 @@
-"""The application: the site, and under ``api/`` what the package answers."""
+"""The web application: the site, and the API under ``api/``."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from clubface.support.version import __version__
 __all__ = ["make_application"]
 
 EXPECTED = (ClubfaceError, ModuleNotFoundError, MemoryError)
-"""Errors that say what a person can do; all others are printed too."""
+"""Errors that tell the user what to do; all others are printed as well."""
 
 
 def make_application(site: Path, token: str, *, studies: Path | None = None, live: LiveSession | None = None) -> Guard:
-    """Return the application.
+    """Return the web application.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
     uploads, jobs = Uploads(), StudioJobs()
 
     async def offers(request: Request) -> Response:
-        """Return what there is to be asked."""
+        """Return the requests that the API offers."""
         return document({
             "clubface": __version__, "studies": studies is not None, "live": live is not None,
             "largest_file": LARGEST, "formats": [*FORMATS], "clubs": [*CLUB_NAMES], "balls": [*BALLS],
@@ -92,7 +92,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
 
 
 def _in_units(application: ASGIApp) -> ASGIApp:
-    """Return an application that answers in the units that ``units`` of a request names, "golf" unless given."""
+    """Return an application that answers in the units given by ``units`` of a request, by default "golf"."""
 
     async def answer_in_units(scope: Scope, receive: Receive, send: Send) -> None:
         with read_in(Request(scope).query_params.get("units", "golf")):

@@ -1,4 +1,4 @@
-"""Server-sent events: what changes on threads reaches every tab, and one that comes back goes on where it was."""
+"""Server-sent events: changes made on threads reach every tab, and a tab that reconnects continues where it was."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from clubface.present.files import json_text
 __all__ = ["Signal", "event", "event_stream"]
 
 ALIVE = 15.0
-"""Seconds without an event after which a comment is sent, so that a connection that is gone is noticed."""
+"""Time without an event after which a comment is sent, so that a lost connection is noticed [s]."""
 
 
 def event(name: str, data: Any, identity: int | None = None) -> str:
-    """Return an event; its data are JSON in one line."""
+    """Return an event with its data as one line of JSON."""
     own = "" if identity is None else f"id: {identity}\n"
     return f"{own}event: {name}\ndata: {json_text(data, indent=None)}\n\n"
 
 
 class Signal:
-    """Wakes those who wait for a change; threads may set it."""
+    """Wakes waiting coroutines on a change; may be set from any thread."""
 
     def __init__(self) -> None:
         self._waiting: dict[asyncio.Event, asyncio.AbstractEventLoop] = {}
         self._ended = False
 
     def set(self) -> None:
-        """Wake all."""
+        """Wake everyone who waits."""
         for each, loop in tuple(self._waiting.items()):
             if not loop.is_closed():
                 loop.call_soon_threadsafe(each.set)
@@ -41,7 +41,7 @@ class Signal:
         self.set()
 
     async def changes(self) -> AsyncIterator[bool]:
-        """Yield at the beginning and after changes (True), and now and then without one (False), until it is closed."""
+        """Yield True at the start and after changes, and False from time to time without one, until closed."""
         changed = asyncio.Event()
         self._waiting[changed] = asyncio.get_running_loop()
         try:

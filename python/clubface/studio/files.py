@@ -34,14 +34,14 @@ __all__ = ["estimated", "file_routes", "report_page", "saved"]
 REPORT_HEADERS = {
     "content-security-policy": "sandbox allow-downloads; default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 }
-"""Of a report, which has neither scripts nor anything from elsewhere."""
+"""Headers of a report, which has no scripts and loads nothing from elsewhere."""
 
 
 def file_routes(uploads: Uploads) -> list[Route]:
     """Return the routes of files."""
 
     async def add(request: Request) -> Response:
-        """Read a file, whose bytes are the body; answer as ``clubface monitor read --json`` does."""
+        """Read the file in the request's body; answer like ``clubface monitor read --json``."""
         content = await body_of(request)
         name = bare_name(request.query_params.get("name", ""))
         options = {key: request.query_params.get(key) or None for key in ("format", "hand")}
@@ -91,7 +91,7 @@ def report_page(result: Result) -> str:
 
 
 def saved(text: str, name: str, request: Request, kind: Any, headers: Mapping[str, str]) -> Response:
-    """Return a text to be shown, or to be saved under a name where ``save`` is asked for."""
+    """Return a text to be shown, or to be saved under a name if the request has ``save``."""
     saved = {"content-disposition": f'attachment; filename="{name}"'} if "save" in request.query_params else {}
     return kind(text, headers={**headers, **saved})
 
@@ -102,7 +102,7 @@ def _player(shots: RecordedShots) -> Result:
 
 
 def _own_club(name: str | None) -> Club | None:
-    """Return a club that comes with the package; the browser names no file."""
+    """Return a built-in club; the browser cannot name files."""
     if not name:
         return None
     check_choice("club", name, CLUB_NAMES)
@@ -110,7 +110,7 @@ def _own_club(name: str | None) -> Club | None:
 
 
 def estimated(shots: RecordedShots, asked: Mapping[str, Any]) -> tuple[Estimate, Club]:
-    """Return the golfer of the shots of one club, and the club; ``asked`` may name ``club``, ``only`` and ``like``."""
+    """Return the golfer of the shots of one club, and the club; ``asked`` may have ``club``, ``only``, ``like``."""
     ready = ready_shots(shots, club=_own_club(asked.get("club")), only=asked.get("only") or None)
     like = asked.get("like") or None
     if like is not None:

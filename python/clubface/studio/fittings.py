@@ -1,4 +1,4 @@
-"""``api/fittings`` and ``api/jobs``: clubs for the golfer of a file, or those of a study, while progress is shown."""
+"""``api/fittings`` and ``api/jobs``: fittings for the golfer of a file, or for a study, with progress."""
 
 from __future__ import annotations
 
@@ -34,26 +34,26 @@ __all__ = ["BALLS", "asked_of", "fitting_routes"]
 
 BALLS = builtin_names("balls")
 FITTING_SHOTS = (256, 20_000)
-"""Fewest and most shots of a golfer in a fitting."""
+"""Smallest and largest number of shots of a golfer in a fitting."""
 USUAL_SHOTS = 2000
 LONGEST = 200
-"""Letters of a name."""
+"""Longest name [characters]."""
 MOST_TEXT = 100_000
-"""Bytes of what is asked of a fitting."""
+"""Largest request for a fitting [bytes]."""
 
 
 def fitting_routes(uploads: Uploads, jobs: StudioJobs) -> list[Route]:
-    """Return the routes of fittings and of what they are computed in."""
+    """Return the routes of fittings and of their jobs."""
 
     async def start(request: Request) -> Response:
-        """Start a fitting for the golfer of a file; the body says what for, as JSON."""
+        """Start a fitting for the golfer of a file; the body has its options as JSON."""
         upload, asked = uploads.get(request.path_params["file"]), asked_of(await body_of(request, MOST_TEXT))
         fitting = await run_in_threadpool(upload.compute, lambda shots: _fitting(shots, asked))
         job = jobs.start(lambda job: _result_of(fitting, job))
         return document(job.describe(), 202, {"location": f"api/jobs/{job.identity}"})
 
     async def start_study(request: Request) -> Response:
-        """Start what a file of ``clubface optimise`` asks for; its text is the body."""
+        """Start the study in the request's body, a file of ``clubface optimise``."""
         text = (await body_of(request, MOST_TEXT)).decode("utf-8", "replace")
         study = await run_in_threadpool(_study, text)
         job = jobs.start(lambda job: _result_of(study, job))
@@ -96,7 +96,7 @@ def fitting_routes(uploads: Uploads, jobs: StudioJobs) -> list[Route]:
 
 
 def _fitting(shots: RecordedShots, asked: Mapping[str, Any]) -> Fitting:
-    """Return a fitting for the golfer of the shots, whose own club stands first."""
+    """Return a fitting for the golfer of the shots, with the golfer's own club first."""
     player, own = estimated(shots, asked)
     others = [each for each in _names(asked, "clubs", CLUB_NAMES) if each != own.name]
     balls = _names(asked, "balls", BALLS)
@@ -138,7 +138,7 @@ def _names(asked: Mapping[str, Any], key: str, known: Any) -> list[str]:
 
 
 def asked_of(body: bytes) -> dict[str, Any]:
-    """Return what a person asks for, a JSON object whose texts are short."""
+    """Return the request's JSON object, after checking that its texts are short."""
     try:
         result = json.loads(body)
     except (ValueError, RecursionError):

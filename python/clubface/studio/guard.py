@@ -1,4 +1,4 @@
-"""Who may ask: this machine, by its own name, with the token of the address, from a page that was served here."""
+"""Access control: only requests from this machine, under its own name, with the token, and from a page served here."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from clubface.studio.answers import refusal
 __all__ = ["Guard", "new_token"]
 
 HOSTS = ("127.0.0.1", "localhost")
-"""Names under which a browser reaches this machine; a page of another name that leads here is refused."""
+"""Names under which a browser reaches this machine; requests under other names are refused."""
 HEADERS = {
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
     "cross-origin-opener-policy": "same-origin",
     "cross-origin-resource-policy": "same-origin",
 }
-"""Of every answer; the address, which has the token, goes to no other site."""
+"""Headers of every answer; the address, which contains the token, is sent to no other site."""
 CONTENT = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; media-src 'self' blob:; worker-src 'self' blob:; connect-src 'self' blob:; "
     "frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'"
 )
-"""What a page of the studio may load."""
+"""Content security policy of the studio's pages."""
 
 Scope = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
@@ -36,12 +36,12 @@ Application = Callable[[Scope, Receive, Send], Awaitable[None]]
 
 
 def new_token() -> str:
-    """Return a token that nobody guesses."""
+    """Return an unguessable token."""
     return secrets.token_urlsafe(24)
 
 
 class Guard:
-    """Lets requests through to an application under ``/TOKEN/`` that may be answered.
+    """Passes permitted requests on to an application under ``/TOKEN/``.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Long computations for the browser: one thread each, with progress, and an end that a person may ask for."""
+"""Long computations for the browser: one thread each, with progress, and cancellable."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from clubface.studio.events import Signal, event
 __all__ = ["Cancelled", "StudioJob", "StudioJobs"]
 
 MOST_KEPT = 8
-"""Jobs whose ends are remembered."""
+"""Number of finished jobs that are remembered."""
 
 
 class Cancelled(BaseException):
@@ -60,20 +60,20 @@ class StudioJob:
         self.signal.set()
 
     def cancel(self) -> None:
-        """Compute no further part."""
+        """Cancel the job: compute no further part."""
         self._asked_to_stop.set()
         if self.state == "running":
             self.state = "cancelled"
         self.signal.set()
 
     def describe(self) -> dict[str, Any]:
-        """Return how far it is, and what went wrong."""
+        """Return the progress and any error."""
         done, whole = self._done
         return {"job": self.identity, "state": self.state, "done": done, "whole": whole, "step": self._step,
                 "mistake": self._mistake}  # fmt: skip
 
     def news(self) -> tuple[list[str], bool]:
-        """Return its state as an event, with the result where there is one, and whether it has ended."""
+        """Return the state as an event, with the result if there is one, and whether the job has ended."""
         state, ended = self.describe(), self.state != "running"
         events = [event("progress", state)]
         if ended:

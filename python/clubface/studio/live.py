@@ -1,4 +1,4 @@
-"""``api/live``: the shots that monitors send, as they come, to every open tab."""
+"""``api/live``: shots from launch monitors, sent to every open tab as they arrive."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from clubface.studio.uploads import body_of
 __all__ = ["LiveSession", "live_routes"]
 
 AT_ONCE = 200
-"""Shots of an event at most."""
+"""Largest number of shots in an event."""
 MOST_TEXT = 1000
-"""Bytes of what a person chooses."""
+"""Largest request with the player's choices [bytes]."""
 
 
 class LiveSession:
-    """Live shots, the connections they come over, and the signal that is set when either changes."""
+    """Live shots, their connections, and the signal that is set when either changes."""
 
     def __init__(self, shots: LiveShots, **links: Any) -> None:
         self.shots, self.signal = shots, Signal()
@@ -41,12 +41,12 @@ class LiveSession:
             self.links.remark(f"damaged lines of {shots.path.name} are passed over: {lines}")
 
     def close(self) -> None:
-        """End all connections, and let go of the file."""
+        """Close all connections and the file."""
         self.links.close()
         self.shots.close()
 
     def state(self) -> dict[str, Any]:
-        """Return connections, what happened on them last, and what the player has chosen."""
+        """Return the connections, their latest events, and the player's choices."""
         return {
             "count": len(self.shots.shots),
             "file": self.shots.path.name,
@@ -71,7 +71,7 @@ def live_routes(session: LiveSession | None) -> list[Route]:
         return document(opened().state())
 
     async def choose(request: Request) -> Response:
-        """Take the club and the hand of the shots to come."""
+        """Set the club and the hand for the next shots."""
         live, asked = opened(), asked_of(await body_of(request, MOST_TEXT))
         club, hand = (str(asked.get(key, getattr(live.shots.player, key))) for key in ("club", "hand"))
         await run_in_threadpool(live.shots.choose, club, hand)
@@ -82,7 +82,7 @@ def live_routes(session: LiveSession | None) -> list[Route]:
         return saved(csv_text(shown.table("shots")), "live-shots.csv", request, _Csv, {})
 
     async def events(request: Request) -> Response:
-        """Return all shots after that of ``Last-Event-ID`` or ``after``, and then those that come."""
+        """Return all shots after the one in ``Last-Event-ID`` or ``after``, then new ones as they arrive."""
         live = opened()
         last = request.headers.get("last-event-id") or request.query_params.get("after") or "0"
         seen = int(last) if last.isascii() and last.isdecimal() and len(last) < 10 else 0

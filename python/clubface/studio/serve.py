@@ -1,4 +1,4 @@
-"""The server: on 127.0.0.1 alone, until Ctrl-C."""
+"""The server: on 127.0.0.1 only, until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ __all__ = ["PORT", "serve"]
 
 PORT = 8642
 WAITING = 64
-"""Connections that may wait to be accepted: a browser opens several at once."""
+"""Number of connections waiting to be accepted; a browser opens several at once."""
 SHUTDOWN_TIMEOUT = 2
-"""Seconds that open connections, such as those of live shots, have at the end."""
+"""Time that open connections, such as live shots, have to finish at the end [s]."""
 
 
 def serve(
@@ -77,7 +77,7 @@ def serve(
 
 
 class _Server(uvicorn.Server):
-    """Ends streams of events before it waits for the end of all answers."""
+    """A server that ends event streams before it waits for open answers."""
 
     def __init__(self, config: uvicorn.Config, application: Guard) -> None:
         super().__init__(config)

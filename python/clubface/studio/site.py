@@ -1,4 +1,4 @@
-"""The built site: where it lies, and its pages, which know from a line in their head that this package serves them."""
+"""The built site: its folder, and its pages, which know from a line in their head that this package serves them."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from clubface.support.files import DATA
 __all__ = ["SITE_VARIABLE", "site_folder", "site_routes"]
 
 SITE_VARIABLE = "CLUBFACE_STUDIO_SITE"
-"""The variable of the environment that names another folder with a built site."""
+"""Environment variable for another folder with a built site."""
 INDEX = "index.html"
 KINDS = {".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml"}
-"""Media types by the ending of a file; some systems have others for these."""
+"""Media types by file extension; some systems have others for these."""
 MARK = '<meta name="clubface-api" content="api/">'
-"""By which a page knows that there is more to be asked here than on the static site."""
+"""The line by which a page knows that this server offers more than the static site."""
 NOT_SERVED = ("sw.js",)
-"""What keeps the static site for use without a network; of a server that ends it would leave pages without answers."""
+"""Files for offline use of the static site; from this server, they would leave pages without answers once it stops."""
 
 
 def site_folder(given: str | os.PathLike[str] | None = None) -> Path:
-    """Return the folder of the built site: the one given, that of the package, or that of the checkout it runs from.
+    """Return the folder of the built site: the given one, or the one in the package or in the checkout.
 
     Raises
     ------

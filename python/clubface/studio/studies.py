@@ -1,4 +1,4 @@
-"""``api/studies``: the stores of studies in the folder that was named at the start."""
+"""``api/studies``: the stores of studies in the folder given at the start."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ from clubface.studio.files import REPORT_HEADERS, report_page, saved
 __all__ = ["study_routes"]
 
 MOST = 500
-"""Studies that are listed."""
+"""Largest number of studies listed."""
 
 
 def study_routes(folder: Path | None) -> list[Route]:
-    """Return the routes of studies; ``folder`` holds their stores, None where none was named."""
+    """Return the routes of studies; ``folder`` holds their stores, or is None."""
 
     async def listing(request: Request) -> Response:
         return answer(await run_in_threadpool(lambda: _listing(folder)))
@@ -56,7 +56,7 @@ def _summary(store: Path) -> Result:
 
 
 def _stores(folder: Path | None) -> dict[str, Path]:
-    """Return the folders in the folder that hold a study, by name."""
+    """Return the subfolders that hold a study, by name."""
     if folder is None:
         return {}
     result = {}

@@ -1,4 +1,4 @@
-"""Files that a person chose in the browser: their bytes in memory, read as the command line reads a file.
+"""Files chosen in the browser: kept in memory, and read as the command line reads files.
 
 What is computed from them sees these bytes under a bare name, and no other file but those that come with the package.
 """
@@ -24,15 +24,15 @@ from clubface.support.files import InputFile, InputRecord, absolute
 __all__ = ["LARGEST", "MOST_FILES", "TooLargeError", "Upload", "Uploads", "bare_name", "body_of", "own_files_only"]
 
 LARGEST = 20_000_000
-"""Bytes of a file: a hundred thousand shots."""
+"""Largest file [bytes]: a hundred thousand shots."""
 MOST_FILES = 8
-"""Files that are kept; the one that was not asked for longest makes room."""
+"""Number of files kept; the least recently used one makes room."""
 LONGEST_NAME = 100
 R = TypeVar("R")
 
 
 class TooLargeError(InputError):
-    """A request with more bytes than are taken."""
+    """A request that is too large."""
 
 
 class Upload(NamedTuple):
@@ -53,13 +53,13 @@ class Upload(NamedTuple):
     shots: RecordedShots
 
     def compute(self, function: Callable[[RecordedShots], R]) -> R:
-        """Return a function of the shots, which reads no other file meanwhile."""
+        """Call a function with the shots, without access to other files."""
         with own_files_only(self.name, self.content):
             return function(self.shots)
 
 
 class Uploads:
-    """The files of this run, by names that are made up."""
+    """The files of this run, under generated names."""
 
     def __init__(self) -> None:
         self._files: OrderedDict[str, Upload] = OrderedDict()
@@ -89,7 +89,7 @@ class Uploads:
 
 @contextmanager
 def own_files_only(name: str = "", content: bytes | None = None) -> Any:
-    """Let a computation read a file of these bytes, where it is given, and what comes with the package, alone."""
+    """Restrict a computation to reading this file, if given, and the files of the package."""
     given = {}
     if content is not None:
         path, sum_ = absolute(name), hashlib.sha256(content).hexdigest()
@@ -99,14 +99,14 @@ def own_files_only(name: str = "", content: bytes | None = None) -> Any:
 
 
 def bare_name(name: str) -> str:
-    """Return the name of a file without folders, as it may stand in messages and reports."""
+    """Return the name of a file without folders, for messages and reports."""
     plain = "".join(each for each in name.replace("\\", "/").rpartition("/")[2] if each.isprintable())
     stem, ending = os.path.splitext(plain.strip(". "))
     return f"{stem[: LONGEST_NAME - len(ending[:10])]}{ending[:10]}" or "session.csv"
 
 
 async def body_of(request: Request, most: int = LARGEST) -> bytes:
-    """Return the bytes of a request; one that goes on is cut off."""
+    """Return the body of a request; one that is too long is cut off."""
     result = bytearray()
     async for piece in request.stream():
         result += piece
