@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from clubface.design import shells
+from clubface.design.optimisation import study as optimisation_study
 from clubface.errors import MeshWarning
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -92,40 +94,25 @@ def test_the_captured_swing__is_as_sure_of_the_launch_as_of_what_made_it(capsys)
     assert 0.8 * 1.45 * stated < np.std(launches.get("ball_speed", "mph")) < 1.6 * 1.45 * stated
 
 
-def test_a_study_of_a_better_driver_is_that_of_its_page():
-    from clubface.design.optimisation.study import read
-
-    study = read(EXAMPLES / "better_driver.toml")
-    assert study.distributed
-    page = (EXAMPLES.parent / "docs" / "optimisation.md").read_text(encoding="utf-8")
-    # The page shows the file, all but its first two lines.
-    assert "".join((EXAMPLES / "better_driver.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
-
-
-def test_a_study_of_a_faster_face_is_that_of_its_page():
-    from clubface.design import shells
-
-    study = shells.read(EXAMPLES / "faster_face.toml")
-    assert [metal.name for metal in study.metals] == ["Ti-6Al-4V", "high-strength titanium"]
-    page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
-    # The page shows the file, all but its first two lines.
-    assert "".join((EXAMPLES / "faster_face.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
-
-
-def test_a_study_of_a_mesh_is_that_of_its_page():
-    from clubface.design import shells
-
+def test_studies_of_shells_choose_among_their_metals():
+    faster_face = shells.read(EXAMPLES / "faster_face.toml")
+    assert [metal.name for metal in faster_face.metals] == ["Ti-6Al-4V", "high-strength titanium"]
     with pytest.warns(MeshWarning, match="inertia"):
-        study = shells.read(EXAMPLES / "own_walls.toml")
-    assert [choice.name for choice in study.choices] == ["face of Ti-6Al-4V", "face of maraging steel"]
-    page = (EXAMPLES.parent / "docs" / "finite-elements" / "design.md").read_text(encoding="utf-8")
-    # The page shows the file, all but its first two lines.
-    assert "".join((EXAMPLES / "own_walls.toml").read_text(encoding="utf-8").splitlines(keepends=True)[2:]) in page
+        own_walls = shells.read(EXAMPLES / "own_walls.toml")
+    assert [choice.name for choice in own_walls.choices] == ["face of Ti-6Al-4V", "face of maraging steel"]
 
 
-@pytest.mark.parametrize(("name", "page"), [("fitting", "optimisation"), ("lofts", "studies")])
-def test_an_example_is_that_of_its_page(name, page):
-    text = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8")
-    # The page shows the file, all but its first three lines.
-    shown = "".join(text.splitlines(keepends=True)[3:])
-    assert shown in (EXAMPLES.parent / "docs" / f"{page}.md").read_text(encoding="utf-8")
+def test_a_better_driver_is_sought_over_distributions_of_mass():
+    assert optimisation_study.read(EXAMPLES / "better_driver.toml").distributed
+
+
+@pytest.mark.parametrize(
+    ("name", "page", "comment"),
+    [
+        ("better_driver", "optimisation", 2), ("fitting", "optimisation", 3), ("lofts", "studies", 3),
+        ("faster_face", "finite-elements/design", 2), ("own_walls", "finite-elements/design", 2),
+    ],
+)  # fmt: skip
+def test_a_page_shows_the_example_without_its_first_comment(name, page, comment):
+    lines = (EXAMPLES / f"{name}.toml").read_text(encoding="utf-8").splitlines(keepends=True)
+    assert "".join(lines[comment:]) in (EXAMPLES.parent / "docs" / f"{page}.md").read_text(encoding="utf-8")
