@@ -1,6 +1,6 @@
-"""From a model to a better club: alternatives side by side, maps of the face, golfers, dispersion and optimisation.
+"""From a model to a better club: comparisons, face maps, golfers, dispersion and optimisation.
 
-What stands here drives any model of impact, finite elements among them, and the flight after it.
+Everything here works with any impact model, including finite elements, and with the flight that follows.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The dynamic loft of the longest carry, by club speed and attack angle, compared with the charts that fitters use.
+"""The dynamic loft for the longest carry, by club speed and attack angle, compared with fitters' charts.
 
-Total distances have no such optimum here: on level ground a ball that is hardly lifted rolls farthest.
+Total distance has no such optimum here: on level ground a ball that barely leaves the turf rolls farthest.
 """
 
 from __future__ import annotations
@@ -33,17 +33,17 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice
 
 SHOWN = {"loft": "loft", "ball_speed": "ball_speed", "launch": "launch", "spin": "total_spin", "carry": "carry"}
-"""Columns that are printed, and what they are of."""
+"""Printed columns and the quantity each one holds."""
 SAME_ANGLE = 9e-4
-"""Attack angles below this are level [rad]."""
+"""Attack angles smaller than this count as level [rad]."""
 LEAST, MOST = np.radians(-2.0), np.radians(50.0)
-"""Between which lofts [rad] the best is looked for."""
+"""Range of lofts searched [rad]."""
 POINTS, ROUNDS = 27, 4
-"""Lofts tried at a time, and how often the steps about the best are made finer, 13 times each time."""
+"""Lofts tried per round, and number of rounds; each round makes the step around the best loft 13 times finer."""
 
 
 class PublishedChart(NamedTuple):
-    """A published chart: whose it is, the name of its table, and which values of :class:`BestLoft` it has."""
+    """A published chart: its owner, the name of its table, and the values of :class:`BestLoft` it gives."""
 
     owner: str
     table: str
@@ -55,34 +55,33 @@ CHARTS = {
     "ping": PublishedChart("PING", "optimum-ping-2019", ("launch", "spin")),
 }
 BEYOND = np.radians(15.0)
-"""How much more loft than attack angle [rad] a shot has that is hit to see why none flies."""
+"""Loft minus attack angle [rad] of the shot that is hit to explain why no loft gets the ball airborne."""
 HALVINGS = 14
-"""How often the loft at which too much is lost is halved in."""
+"""Number of bisection steps for the loft at which too much carry is lost."""
 SMASH = 1.46
-"""Ball speed over club speed to begin with, where the ball speed is wanted."""
+"""Initial guess of the smash factor, for charts that give ball speed only."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BestLoft(Described):
-    """The shots of the longest carry, each value an array over the cases, SI and radians.
+    """The shots with the longest carry; each value is an array over the cases, in SI units and radians.
 
     Attributes
     ----------
     speed, attack
-        Of the club.
+        Club speed and attack angle.
     loft
         The best dynamic loft.
     ball_speed, launch, spin, carry, total
-        What it gives; the spin is the total spin.
+        The shot at that loft; the spin is the total spin.
     within
-        How far from the best a loft may be, below and above, before as much carry is lost as is worth a change, shape
-        (cases, 2).
+        How far the loft may be below and above the best before the loss of carry is worth a change, shape (cases, 2).
     worth
         The smallest difference of carry worth a change [m].
     flown
         The launches.
     air, wind
-        Those of the flights.
+        Air and wind of the flights.
     """
 
     speed: Floats
@@ -101,7 +100,7 @@ class BestLoft(Described):
 
     def to_result(self) -> Result:
         """Return the best lofts as a result."""
-        columns = (*_cases(self), *(_own(self, name) for name in SHOWN), *_other(self))
+        columns = (*_case_columns(self), *(_value_column(self, name) for name in SHOWN), *_extra_columns(self))
         return Result(
             kind="best-loft", title=f"Best dynamic loft for carry: {self.flown.club.name}, {self.flown.model}",
             tables=(Table("best_lofts", columns),), summary=(*_summary(self), note("best-loft-delivered")),
@@ -127,27 +126,27 @@ def best_loft(
     progress: Callable[[int, int], object] | None = None,
     **delivery: float | str,
 ) -> BestLoft:
-    """Find the dynamic loft with which the ball is carried farthest.
+    """Find the dynamic loft that carries the ball farthest.
 
-    The lofts from -2 to 50 degrees are tried in steps that become finer about the best.
+    Lofts from -2 to 50 degrees are tried in steps that become finer around the best.
 
     Parameters
     ----------
     speed, attack
-        Of the club: text with a unit, SI numbers or arrays, which broadcast.
+        Club speed and attack angle: text with a unit, SI numbers or arrays, which broadcast.
     club, model, parameters, ball, accuracy, air, wind, ground
         As for :func:`impact` and :func:`fly`.
     worth
-        The smallest difference worth a change, by objective; that of "carry" says how flat the optimum is.
+        The smallest difference worth a change, by objective; the value for "carry" sets the width of the optimum.
     progress
-        Called with the number of shots done and that of all.
+        Called with the number of shots done and the total.
     **delivery
-        Further values of the delivery, such as ``high``; single numbers.
+        Other delivery values, such as ``high``; single numbers.
 
     Raises
     ------
     InputError
-        There is no case, a case is none that can be computed, or air or wind are none that a ball flies in.
+        There are no cases, a case cannot be computed, or no ball can fly in this air or wind.
     """
     given = (units.parse_values(speed, "speed", name="speed"), units.parse_values(attack, "angle", name="attack"))
     try:
@@ -178,7 +177,7 @@ def best_loft(
     best = low
     for _ in range(ROUNDS):
         lofts = np.linspace(low, high, POINTS, axis=1)
-        reached = _reached(strike(lofts)[1].carry)
+        reached = _finite_distance(strike(lofts)[1].carry)
         if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
             speed, attack = float(speeds[lost[0]]), float(attacks[lost[0]])
             values = {"speed": speed, "attack": attack, "loft": float(np.clip(attack + BEYOND, LEAST, MOST))}
@@ -194,22 +193,22 @@ def best_loft(
     return BestLoft(
         speed=speeds, attack=attacks, loft=best, ball_speed=ball_speed, launch=launched, spin=spin,
         carry=flight.carry[:, 0], total=flight.total[:, 0], flown=launch, air=air, wind=wind,
-        within=_within(lambda lofts: strike(lofts)[1].carry, best, flight.carry[:, 0], enough), worth=enough,
+        within=_flat_range(lambda lofts: strike(lofts)[1].carry, best, flight.carry[:, 0], enough), worth=enough,
     )  # fmt: skip
 
 
-def _reached(distance: Floats) -> Floats:
+def _finite_distance(distance: Floats) -> Floats:
     return np.where(np.isfinite(distance), distance, -np.inf)
 
 
-def _within(distance: Callable[[Floats], Floats], best: Floats, reached: Floats, worth: float) -> Floats:
-    """Return how far below and above the best loft what is worth a change is lost, by halving, up to 15 degrees."""
+def _flat_range(distance: Callable[[Floats], Floats], best: Floats, reached: Floats, worth: float) -> Floats:
+    """Return how far below and above the best loft the loss is worth a change, by bisection, up to 15 degrees."""
     result = []
     for side in (-1.0, 1.0):
         near, far = np.zeros_like(best), np.full_like(best, np.radians(15.0))
         for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
-            lost = reached - _reached(distance((best + side * middle)[:, None])[:, 0]) > worth
+            lost = reached - _finite_distance(distance((best + side * middle)[:, None])[:, 0]) > worth
             near, far = np.where(lost, near, middle), np.where(lost, middle, far)
         result.append(0.5 * (near + far))
     return np.stack(result, axis=1)
@@ -217,14 +216,14 @@ def _within(distance: Callable[[Floats], Floats], best: Floats, reached: Floats,
 
 @dataclass(frozen=True, eq=False)
 class ChartComparison(Described):
-    """Best lofts and those of a published chart, in its order.
+    """Best lofts computed here next to those of a published chart, in the chart's order.
 
     Attributes
     ----------
     name
-        Of the chart: one of ``CHARTS``.
+        Name of the chart: one of ``CHARTS``.
     best
-        What was found for the speeds and attack angles of the chart.
+        The best lofts for the chart's speeds and attack angles.
     published
         Columns of the chart [SI].
     """
@@ -235,7 +234,7 @@ class ChartComparison(Described):
 
     @property
     def chart(self) -> str:
-        """Whose chart it is."""
+        """Owner of the chart."""
         return CHARTS[self.name].owner
 
     @property
@@ -245,28 +244,28 @@ class ChartComparison(Described):
 
     @property
     def compared(self) -> tuple[str, ...]:
-        """Values of :class:`BestLoft` that the chart has as well."""
+        """Values of :class:`BestLoft` that the chart gives too."""
         return CHARTS[self.name].compared
 
     def quantity(self, key: str) -> str:
-        """Return what a column of the chart is called here."""
+        """Return this package's name for a column of the chart."""
         return {"dynamic_loft": "loft", "club_speed": "speed"}.get(key, key)
 
     def column(self, name: str) -> Floats:
-        """Return the column of the chart of a value of :class:`BestLoft`."""
+        """Return the chart's column for a value of :class:`BestLoft`."""
         return next(values for key, values in self.published.items() if self.quantity(key) == name)
 
     def to_result(self) -> Result:
         """Return best lofts and chart as a result."""
         best, chart = self.best, self.chart
-        columns = _cases(best)
+        columns = _case_columns(best)
         for name in self.compared:
             columns += [
-                _own(best, name),
+                _value_column(best, name),
                 column(f"published_{name}", self.column(name), SHOWN[name], label=chart),
             ]
-        columns += [_own(best, name, printed=False) for name in SHOWN if name not in self.compared]
-        columns += _other(best, printed=False)
+        columns += [_value_column(best, name, printed=False) for name in SHOWN if name not in self.compared]
+        columns += _extra_columns(best, printed=False)
         published = {self.quantity(name): name for name in self.published}
         columns += [
             column(f"published_{name}", self.published[key], SHOWN.get(name, name), printed=False)
@@ -300,15 +299,15 @@ class ChartComparison(Described):
 
 
 def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
-    """Return the best lofts for the rows of a published chart.
+    """Return the best loft for each row of a published chart.
 
-    The chart of PING gives ball speeds and no lofts. Each club speed is that with which the longest drive has the
-    published ball speed, after two corrections.
+    PING's chart gives ball speeds and no lofts. Club speeds are chosen so that the longest drive has the published ball
+    speed, by two corrections of a first guess.
 
     Parameters
     ----------
     chart
-        "trackman", TrackMan's chart of 2010, or "ping", PING's of 2019.
+        "trackman" (TrackMan's chart of 2010) or "ping" (PING's of 2019).
     **options
         As for :func:`best_loft`.
     """
@@ -326,18 +325,18 @@ def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
     return ChartComparison(chart, best, published)
 
 
-def _cases(best_loft: BestLoft) -> list[Column]:
+def _case_columns(best_loft: BestLoft) -> list[Column]:
     return [column("speed", best_loft.speed, digits=1), column("attack", best_loft.attack)]
 
 
-def _own(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
+def _value_column(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
     label = "best loft" if name == "loft" else ""
     return column(
         name, getattr(best_loft, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed
     )
 
 
-def _other(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
+def _extra_columns(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
     return [
         column("total", best_loft.total, printed=False),
         column("within_below", best_loft.within[:, 0], "loft", label="as good with less", printed=printed),
@@ -346,7 +345,7 @@ def _other(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
 
 
 def _summary(best_loft: BestLoft) -> Iterator[Note]:
-    """Yield the best loft of the slowest and the fastest club that moves most nearly level."""
+    """Yield the best loft at the lowest and highest club speed, for the attack angle closest to level."""
     level = abs(best_loft.attack) == abs(best_loft.attack).min()
     for speed in sorted({float(best_loft.speed[level].min()), float(best_loft.speed[level].max())}):
         place = int((level & (best_loft.speed == speed)).argmax())
@@ -360,7 +359,7 @@ def _summary(best_loft: BestLoft) -> Iterator[Note]:
 
 
 def best_loft_picture(best_loft: BestLoft) -> Picture:
-    """Return loft and carry over the club speed; bars reach as far as a loft is as good."""
+    """Return the picture of loft and carry over club speed; bars span the lofts that are practically as good."""
     lofts, carries = [], []
     for place, attack in enumerate(np.unique(best_loft.attack)):
         rows = np.flatnonzero(best_loft.attack == attack)
@@ -384,7 +383,7 @@ def best_loft_picture(best_loft: BestLoft) -> Picture:
 
 
 def chart_picture(comparison: ChartComparison) -> Picture:
-    """Return the picture of the computed values over those of a chart."""
+    """Return the picture of computed values over the chart's."""
     panels: list[Panel | None] = []
     for name in comparison.compared:
         theirs, ours = comparison.column(name), getattr(comparison.best, name)

@@ -1,4 +1,4 @@
-"""Shots side by side: clubs, balls, models, parameters or deliveries, their differences and what makes them."""
+"""Shots side by side: clubs, balls, models, parameters or deliveries, their differences and what causes them."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ if TYPE_CHECKING:
     import pandas
 
 MOST = 24
-"""Alternatives that are compared at a time."""
+"""Maximum number of alternatives in one comparison."""
 MOST_NODES = 64
 
 
 @dataclass(frozen=True, kw_only=True)
 class Alternative:
-    """One of the shots that are compared.
+    """One of the shots compared.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Alternative:
     accuracy: float | None = None
 
     def launch(self, **changes: Any) -> Launch:
-        """Return the launch of it, some of its fields changed."""
+        """Return its launch, with some fields changed."""
         taken = {each.name: getattr(self, each.name) for each in fields(self)} | changes
         if not isinstance(taken["model"], str) or taken["model"] == "all":
             raise InputError("model", taken["model"], "the name of one model in each alternative")
@@ -75,16 +75,16 @@ class Alternative:
 
 
 class Compared(Described):
-    """Shots that were compared; differences are from the first of them.
+    """Compared shots; differences are from the first of them.
 
     Attributes
     ----------
     names
-        What the alternatives are called; the first is what the others are compared with.
+        Names of the alternatives; the others are compared with the first.
     launches, flights
         By name.
     contributions
-        What makes the difference of each from the first, by name; empty where it was not asked for.
+        What makes each differ from the first, by name; empty if not requested.
     conditions
         Air, wind and ground of the flights.
     """
@@ -102,22 +102,22 @@ class Compared(Described):
         self._levels = {name: values(each, flights[name]) for name, each in launches.items()}
 
     def value(self, name: str, quantity: str, unit: str | None = None) -> float:
-        """Return a quantity of one alternative: in SI, or in ``unit``."""
+        """Return a quantity of one alternative, in SI or in ``unit``."""
         check_choice("alternative", name, self.names)
         check_choice("quantity", quantity, QUANTITIES)
         value = float(self._levels[name][QUANTITIES.index(quantity)])
         return value if unit is None else float(units.from_si(value, symbol(quantity, unit)))
 
     def difference(self, name: str, quantity: str, unit: str | None = None) -> float:
-        """Return by how much a quantity of one alternative exceeds that of the first: in SI, or in ``unit``."""
+        """Return the quantity of one alternative minus that of the first, in SI or in ``unit``."""
         value = self.value(name, quantity) - self.value(self.names[0], quantity)
         return value if unit is None else value / units.size(symbol(quantity, unit))
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return all figures [SI]: values, differences, contributions and remainders, one row each.
+        """Return all numbers [SI]: values, differences, contributions and remainders, one row each.
 
-        The first three entries of a row say of which ``alternative``, which ``part``, and for a contribution by which
-        ``change``.
+        The first three entries of a row are the ``alternative``, the ``part`` (such as "difference"), and for a
+        contribution the ``change`` that causes it.
         """
         rows = [("value", name, "", self._levels[name]) for name in self.names]
         for name in self.names[1:]:
@@ -145,7 +145,7 @@ class Compared(Described):
         return frame
 
     def to_result(self) -> Result:
-        """Return the alternatives, their differences and what makes them as a result."""
+        """Return the alternatives, their differences and the contributions as a result."""
         first, *others = self.names
         title = f'"{first}" compared with ' + ", ".join(f'"{name}"' for name in others)
         split = {name: each for name, each in self.contributions.items() if each.changes}
@@ -233,11 +233,11 @@ class Compared(Described):
 
 
 SPLIT = ("ball_speed", "launch", "azimuth", "backspin", "carry", "side", "curve", "total")
-"""Quantities whose contributions are printed; files and JSON have all."""
+"""Quantities whose contributions are printed; files and JSON have them all."""
 
 
 class _Row(NamedTuple):
-    """A row of the table of contributions; ``hidden`` are the coefficients of a fit, which are printed together."""
+    """A row of the contributions table; ``hidden`` marks coefficients of a fit, which are printed as one sum."""
 
     alternative: str
     part: str
@@ -272,7 +272,7 @@ def _split_rows(name: str, launch: Launch, made: Contributions, difference: Floa
 def _quantity_columns(
     rows: Sequence[Floats], *, differences: bool = True, printed: Sequence[str] = QUANTITIES
 ) -> list[Column]:
-    """Return a column for each of ``QUANTITIES``; differences have a digit more."""
+    """Return a column for each of ``QUANTITIES``; differences get an extra digit."""
     return [
         column(
             name, [float(each[place]) for each in rows], difference=differences, printed=name in printed,
@@ -285,11 +285,11 @@ def _quantity_columns(
 _DRAWN = ("side", "carry", "ball_speed", "backspin")
 """Quantities whose differences are drawn."""
 _MOST_BARS = 9
-"""Contributions that are drawn one by one, the largest; the others are one bar."""
+"""Number of contributions drawn individually, the largest first; the rest share one bar."""
 
 
 def comparison_picture(compared: Compared) -> Picture:
-    """Return the picture of a comparison: the flights, and below them what makes each difference."""
+    """Return the picture of a comparison: the flights, and below them the contributions to each difference."""
     paths = {name: trajectory(each, **compared.conditions).position for name, each in compared.launches.items()}
     shapes = {name: each.shot_shape() for name, each in compared.flights.items()}
     views, heights = flight_views(paths, shapes=shapes, styles={name: place for place, name in enumerate(paths)})
@@ -307,7 +307,7 @@ def comparison_picture(compared: Compared) -> Picture:
 def _contribution_panels(compared: Compared, name: str, made: Contributions) -> list[Panel | None]:
     places = [QUANTITIES.index(each) for each in _DRAWN]
     numbers = made.si[:, places]
-    # The share of a contribution in all of a quantity, so that speeds, spins and lengths count alike.
+    # Shares of each quantity's total make speeds, spins and lengths comparable.
     weight = (np.abs(numbers) / np.maximum(np.abs(numbers).sum(axis=0), 1e-300)).max(axis=1)
     order = np.argsort(-weight, kind="stable").tolist()
     labels = [made.changes[place].name.replace("_", " ") for place in order[:_MOST_BARS]]
@@ -318,7 +318,7 @@ def _contribution_panels(compared: Compared, name: str, made: Contributions) -> 
     labels += ["remainder", "difference"]
     table = np.array([*bars, made.remainder[places], compared._differences(name)[places]])
     panels: list[Panel | None] = []
-    ends = {}  # least and greatest of all quantities of a unit, so that a yard is as long in each panel
+    ends = {}  # common limits per unit, so that a yard has the same length in every panel
     for place, key in enumerate(_DRAWN):
         low, high = ends.get(quantity(key).golf.unit, (0.0, 0.0))
         ends[quantity(key).golf.unit] = (min(low, table[:, place].min()), max(high, table[:, place].max()))
@@ -342,23 +342,23 @@ def compare(
     nodes: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Compared:
-    """Compute shots side by side, and what makes the others differ from the first.
+    """Compute shots side by side and split the differences from the first into contributions.
 
     Parameters
     ----------
     alternatives
-        Each an :class:`Alternative` or a mapping of its fields, by a name for tables. Two at least.
+        Two or more, each an :class:`Alternative` or a mapping of its fields, by the name used in tables.
     air, wind, ground
-        Of all flights, as for :func:`clubface.fly`.
+        Conditions of all flights, as for :func:`clubface.fly`.
     split
-        Whether to split the differences into contributions. What can be differentiated changes along a straight line
-        from the first shot to the other, bulge and roll by their curvature, and the exact derivatives of launch and
-        flight are integrated along it; the contributions so found add up to the difference but for a small remainder.
-        What has no derivatives (the model, the hand, and the mesh of ball or head for finite elements) is changed first
-        and as a whole.
+        Whether to split the differences into contributions. Inputs and parameters with derivatives change along a
+        straight line from the first shot to the other (bulge and roll in their curvature), and the exact derivatives of
+        launch and flight are integrated along it; these contributions add up to the difference except for a small
+        remainder. The model, the hand and, for finite elements, the mesh of ball or head have no derivatives; they are
+        changed first, each in one step.
     nodes
-        Points of the line at which derivatives are taken, 1 to 64; left out, 8, or 1 for finite elements, of which
-        each point takes a run for every four things that differ.
+        Points on the line at which derivatives are taken, 1 to 64. Default 8, or 1 for finite elements, where each
+        point takes one run for every four inputs that differ.
     progress
         Called with the number of points done and the number of all points.
 
@@ -370,7 +370,7 @@ def compare(
     Raises
     ------
     InputError
-        There are fewer than two alternatives or more than 24, or one is no single shot.
+        There are fewer than two alternatives or more than 24, or one is not a single shot.
     """
     if not isinstance(alternatives, Mapping) or not 2 <= len(alternatives) <= MOST:
         count = Wording(f"{len(alternatives)} of them") if isinstance(alternatives, Mapping) else alternatives
@@ -417,7 +417,7 @@ def _alternative(given: Alternative | Mapping[str, Any]) -> Alternative:
 
 
 def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch) -> list[tuple[str, Launch]]:
-    """Return the first shot, and the shots after each change as a whole that has no derivatives."""
+    """Return the first shot and the shot after each change that has no derivatives."""
     taken: dict[str, Any] = {
         "club": first.club, "delivery": {**first.delivery, **launch.delivery}, "model": first.model,
         "parameters": first.parameters, "ball": first.ball, "accuracy": other.accuracy,
@@ -435,15 +435,15 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
     if other.model in MODULES:
         from clubface.fem.heads.meshed import mesh_of
 
-        if _meshed(first.ball) != _meshed(other.ball):
+        if _ball_fingerprint(first.ball) != _ball_fingerprint(other.ball):
             change("ball", ball=other.ball)
         if mesh_of(first.club) is not mesh_of(other.club):
             change("head", club=other.club)
     return stages
 
 
-def _meshed(given: Any) -> Any:
-    """Return the fingerprint of a ball of finite elements, which may be given by its name."""
+def _ball_fingerprint(given: Any) -> Any:
+    """Return the fingerprint of a finite element ball, given as such or by name."""
     from clubface.fem.balls import ball
     from clubface.support.fingerprint import fingerprint
 
@@ -451,7 +451,7 @@ def _meshed(given: Any) -> Any:
 
 
 NAMES = ("name", "label", "delivery", "shot")
-"""Headings of a column that names the rows."""
+"""Headings of a column with the names of the rows."""
 
 
 def read_deliveries(
@@ -461,11 +461,11 @@ def read_deliveries(
     *,
     units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, float]]:
-    """Read deliveries [SI] from a CSV or Parquet file of at most ``most`` rows, by the names of its rows.
+    """Read deliveries [SI] by name from a CSV or Parquet file of at most ``most`` rows.
 
-    A column ``name`` (or label, delivery, shot) names the rows; without one they are called after their lines. ``note``
-    is called with every caveat, such as a column whose name is nearly that of an input.
-    ``units`` are those of columns that name none, by quantity or dimension.
+    A column ``name`` (or label, delivery, shot) names the rows; without one, rows are named by line number. ``note`` is
+    called with every caveat, such as a column whose name almost matches an input. ``units`` gives the units of columns
+    whose headings have none, by quantity or dimension.
     """
     given = check_units(units or {}, delivery_words().dimensions)
     reader = open_table(Path(path))

@@ -1,6 +1,6 @@
-"""What makes the difference of two shots: contributions that add up to it, and what remains.
+"""What makes two shots differ: contributions that add up to the difference, except for a small remainder.
 
-They are integrals of exact derivatives along the straight line from one shot to the other.
+Each is the integral of exact derivatives along the straight line from one shot to the other.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 CURVED = ("bulge", "roll")
-"""The line goes along their curvature, so that a flat face is one like any other."""
+"""Radii that the line interpolates as curvatures, so that a flat face is no special case."""
 FACE = {"included_time": "characteristic_time"}
-"""What has another name: both say how much more the face gives than the one that the parameters include."""
+"""Parameters counted together with an input: both say how much more the face flexes than the parameters assume."""
 UNMOVED = ("face_width", "face_height")
-"""They bound the face; no launch depends on them."""
+"""Inputs that only bound the face; no launch depends on them."""
 STEP = 1e-8
-"""s by which the time of the face in the parameters is moved to find the slope by it, which models do not give."""
+"""Step [s] of the finite difference with respect to the parameters' face time, which models do not differentiate."""
 NODES = {False: 8, True: 1}
-"""Points of the line at which a launch is differentiated, unless given: of a model that takes long the middle alone."""
+"""Default number of points at which a launch is differentiated: a slow model only gets the middle."""
 
 _NAMES, _LAUNCHED = face_quantities()
 LAUNCHED: tuple[str, ...] = tuple(_NAMES[:_LAUNCHED])
 FLOWN: tuple[str, ...] = tuple(_NAMES[_LAUNCHED:])
 QUANTITIES: tuple[str, ...] = (*LAUNCHED, *FLOWN)
-"""In the order of all tables."""
+"""All quantities, in the order used in every table."""
 
 Shot = Mapping[str, float]
 """A shot as its model takes it: inputs and parameters [SI] by name."""
@@ -52,7 +52,7 @@ def quantities() -> dict[str, Variable]:
 
 
 def symbol(quantity: str, unit: str) -> str:
-    """Return the symbol of a unit that a person names for a quantity; one of another dimension is an error."""
+    """Return the symbol of a unit given for a quantity; raise an error if its dimension does not match."""
     return units.unit(unit, name=quantity, dimension=quantities()[quantity].dimension).symbol
 
 
@@ -62,7 +62,7 @@ def values(launch: Launch, flight: Flight) -> Floats:
 
 
 class Line(NamedTuple):
-    """The line between two shots by the same model, along the inputs and parameters that differ."""
+    """The straight line between two shots of one model, in the inputs and parameters that differ."""
 
     start: Shot
     end: Shot
@@ -70,7 +70,7 @@ class Line(NamedTuple):
 
     @classmethod
     def between(cls, start: Launch, end: Launch) -> Line:
-        """Return the line from one single launch to another."""
+        """Return the line between two single launches."""
         first, last = (
             {name: float(each.input(name)) for name in inputs()}
             | {name: float(value) for name, value in each.parameters.values.items()}
@@ -79,11 +79,11 @@ class Line(NamedTuple):
         return cls(first, last, tuple(name for name in first if name not in UNMOVED and first[name] != last[name]))
 
     def at(self, share: float) -> dict[str, float]:
-        """Return the shot at a ``share`` of the way."""
+        """Return the shot at a ``share`` (0 to 1) of the way."""
         return {**self.end, **{name: self._value(name, share) for name in self.names}}
 
     def rates(self, share: float) -> Floats:
-        """Return how fast each input and parameter that differs changes along the way, at a ``share`` of it."""
+        """Return the derivative of each differing input and parameter with respect to ``share``."""
         rates = []
         for name in self.names:
             first, last = self.start[name], self.end[name]
@@ -100,17 +100,19 @@ class Line(NamedTuple):
 
 
 def _slopes(line: Line, launch: Launch, shares: Sequence[float], ball: Any) -> Iterable[tuple[Floats, Floats]]:
-    """Yield outputs of the launch, shape (outputs,), and their slopes [SI], shape (outputs, names), at each share."""
+    """Yield the launch outputs, shape (outputs,), and their slopes [SI], shape (outputs, names), at each share."""
     if launch.model in MODULES:
-        return (_of_elements(line, launch, share, ball) for share in shares)
+        return (_finite_element_slopes(line, launch, share, ball) for share in shares)
     reduced_model(launch.model, "one with derivatives")
-    return _reduced(line, launch, shares)
+    return _slopes_by_duals(line, launch, shares)
 
 
-def _flown(launch_slopes: tuple[Floats, Floats], shot: Shot, names: Sequence[str], base: Mapping[str, float]) -> Floats:
-    """Return the slopes of ``FLOWN``, shape (quantities, names), by the chain rule.
+def _flight_slopes(
+    launch_slopes: tuple[Floats, Floats], shot: Shot, names: Sequence[str], base: Mapping[str, float]
+) -> Floats:
+    """Return the slopes of ``FLOWN`` by the chain rule, shape (quantities, names).
 
-    ``base`` are the inputs of the flight, of which launch and ball are those of the shot instead.
+    ``base`` holds the flight inputs; launch and ball are replaced by those of the shot.
     """
     outcome, by_names = launch_slopes
     places = {name: place for place, name in enumerate(outputs())}
@@ -126,8 +128,8 @@ def _flown(launch_slopes: tuple[Floats, Floats], shot: Shot, names: Sequence[str
     return np.array([rows[name] for name in FLOWN])
 
 
-def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tuple[Floats, Floats]]:
-    """Return what :func:`_slopes` does, by dual numbers at all points at once."""
+def _slopes_by_duals(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tuple[Floats, Floats]]:
+    """Return the same as :func:`_slopes` with dual numbers, for all points at once."""
     shots = [line.at(share) for share in shares]
     columns, parameters = (
         [np.array([shot[name] for shot in shots]) for name in names] for names in (inputs(), launch.parameters.values)
@@ -165,8 +167,8 @@ def _reduced(line: Line, launch: Launch, shares: Sequence[float]) -> Iterable[tu
     return [(table[:, 0, number], by_names[:, :, number]) for number in range(len(shots))]
 
 
-def _of_elements(line: Line, launch: Launch, share: float, ball: Any) -> tuple[Floats, Floats]:
-    """Return the launch and its slopes by one set of runs with dual numbers."""
+def _finite_element_slopes(line: Line, launch: Launch, share: float, ball: Any) -> tuple[Floats, Floats]:
+    """Return the launch and its slopes from one set of finite element runs with dual numbers."""
     from clubface.fem.heads import ShellHead
     from clubface.fem.heads.meshed import mesh_of
     from clubface.fem.run import sensitivity, variables
@@ -192,11 +194,11 @@ class Change(NamedTuple):
     Attributes
     ----------
     name
-        An input, a parameter, or what is changed as a whole: "model", "hand", "ball" or "head".
+        An input, a parameter, or "model", "hand", "ball" or "head", which change in one step.
     start, end
-        Its values [SI]; None for what is changed as a whole.
+        Its values [SI]; None for a change in one step.
     derivative
-        Whether its contribution comes from derivatives; otherwise it is the difference that the whole change makes.
+        Whether its contribution comes from derivatives; otherwise it is the difference made by the step.
     """
 
     name: str
@@ -206,18 +208,18 @@ class Change(NamedTuple):
 
 
 class Contributions(NamedTuple):
-    """The difference between two shots, split.
+    """The difference between two shots, split into contributions.
 
     Attributes
     ----------
     changes
         What differs.
     si
-        What each of the ``changes`` contributes to each of ``QUANTITIES`` [SI], shape (changes, quantities).
+        Contribution of each change to each of ``QUANTITIES`` [SI], shape (changes, quantities).
     remainder
-        What remains of the difference [SI], shape (quantities,).
+        Difference that the contributions leave unexplained [SI], shape (quantities,).
     nodes
-        Points of the line at which the launch was differentiated.
+        Number of points on the line at which the launch was differentiated.
     left_out
         Why there are no contributions, or "".
     """
@@ -229,7 +231,7 @@ class Contributions(NamedTuple):
     left_out: str = ""
 
     def of(self, name: str, quantity: str) -> float:
-        """Return what the change called ``name`` contributes to a quantity [SI]."""
+        """Return the contribution of the change ``name`` to a quantity [SI]."""
         names = [each.name for each in self.changes]
         check_choice("change", name, names)
         check_choice("quantity", quantity, QUANTITIES)
@@ -247,13 +249,13 @@ def contributions(
 ) -> Contributions:
     """Split the difference between the launch ``last`` and the first of the ``stages``.
 
-    What has no derivatives is changed first, from stage to stage. From the last stage a straight line leads to ``last``
-    through all inputs and parameters, and along it the exact derivatives are integrated by Gauss's rule.
+    Changes without derivatives come first, from stage to stage. From the last stage a straight line in all inputs and
+    parameters leads to ``last``; the exact derivatives are integrated along it by Gauss's rule.
 
-    The ``stages`` are the first shot and every shot after something was changed as a whole, each under the name of
-    that; ``last`` is by the model of the last of them. ``conditions`` are air, wind and ground of the flights, and
-    ``ball`` is that of ``last`` as a model takes it. The launch is differentiated at as many ``nodes``; unless given,
-    at those of ``NODES``.
+    ``stages`` holds the first shot and the shot after each change without derivatives, with the name of the change;
+    ``last`` uses the model of the final stage. ``conditions`` are air, wind and ground of the flights, and ``ball`` is
+    the ball of ``last`` as a model takes it. ``nodes`` is the number of points at which the launch is differentiated
+    (default ``NODES``).
     """
     *levels, end = (values(each, fly(each, **conditions)) for each in (*(launch for _, launch in stages), last))
     changes = [Change(name, None, None, False) for name, _ in stages[1:]]
@@ -262,7 +264,7 @@ def contributions(
     count = nodes or NODES[last.model in MODULES]
     if line.names:
         try:
-            along = _integrated(line, last, conditions, count, ball, progress)
+            along = _integrate_slopes(line, last, conditions, count, ball, progress)
         except ClubfaceError as error:
             empty = np.empty((0, len(QUANTITIES)))
             return Contributions((), empty, end - levels[0], count, str(error))
@@ -275,7 +277,7 @@ def contributions(
     return Contributions(tuple(changes), si, end - levels[0] - si.sum(axis=0), count)
 
 
-def _integrated(
+def _integrate_slopes(
     line: Line,
     last: Launch,
     conditions: Mapping[str, Any],
@@ -283,7 +285,7 @@ def _integrated(
     ball: Any,
     progress: Callable[[int, int], object] | None,
 ) -> Floats:
-    """Return what each name of the line contributes to each quantity, shape (names, quantities)."""
+    """Return the contribution of each name of the line to each quantity, shape (names, quantities)."""
     places, weights = np.polynomial.legendre.leggauss(nodes)
     shares = 0.5 + 0.5 * places
     base, _, _ = flight_columns(last, conditions.get("air"), conditions.get("wind"), conditions.get("ground"))
@@ -292,7 +294,7 @@ def _integrated(
     for done, (share, weight, launch_slopes) in enumerate(
         zip(shares.tolist(), weights.tolist(), _slopes(line, last, shares.tolist(), ball), strict=True), 1
     ):
-        by_flight = _flown(launch_slopes, line.at(share), line.names, base)
+        by_flight = _flight_slopes(launch_slopes, line.at(share), line.names, base)
         total += 0.5 * weight * np.concatenate([launch_slopes[1][launched], by_flight]) * line.rates(share)
         if progress is not None:
             progress(done, nodes)

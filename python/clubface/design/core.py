@@ -1,4 +1,4 @@
-"""What the compiled core computes of golfers, their shots and faces; the one place where this room names it."""
+"""Functions of the compiled core for golfers, shots and faces; no other module of this package imports it."""
 
 from clubface._core import (
     FaceOutline as FaceOutline,

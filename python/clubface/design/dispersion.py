@@ -1,6 +1,6 @@
-"""Where a golfer's shots go: deliveries carried through impact and flight, tallied, and written to files.
+"""Where a golfer's shots go: deliveries taken through impact and flight, tallied, and written to files.
 
-Shots are summed up in memory that does not grow with their number: moments, fine histograms, a map of the landings.
+Memory does not grow with the number of shots: only moments, fine histograms and a map of the landings are kept.
 """
 
 from __future__ import annotations
@@ -37,21 +37,21 @@ from clubface.support.files import whole_file
 from clubface.units import SI_UNITS, from_si
 
 Sink = Callable[[Mapping[str, Floats], Mapping[str, Floats]], None]
-"""Takes the deliveries of a chunk and what came of them."""
+"""Takes the deliveries of a chunk and the results."""
 Write = Callable[[dict[str, Floats]], None]
-"""Takes the columns of a chunk by heading."""
+"""Writes a chunk, given as columns by heading."""
 
 
 @contextmanager
 def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]:
-    """Open a file for shots; it has its name once the block is left, whole or not at all.
+    """Open a file for shots; it appears under its name, complete, only when the block ends without an error.
 
-    Columns carry their units. A shot without a result has empty cells (in Parquet nulls). Shots come in quasi-random
-    order, in which those that follow each other are more different than by chance. Rows are therefore shuffled within
-    each chunk, as ``seed`` has it: what is taken from their order, such as a drift, is then that of a session.
+    Columns carry their units. A shot without a result has empty cells (nulls in Parquet). Successive quasi-random shots
+    differ more than random ones, so rows are shuffled within each chunk by ``seed``; statistics that depend on their
+    order, such as drift, then look like those of a real session.
     """
     target = Path(path)
-    opened = _parquet if is_parquet(target) else _csv
+    opened = _parquet_writer if is_parquet(target) else _csv_writer
     random, dimensions = np.random.default_rng(seed), shot_words().dimensions
     with whole_file(target) as file, opened(file, target) as write:
 
@@ -66,7 +66,7 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
 
 
 @contextmanager
-def _csv(file: BinaryIO, target: Path) -> Iterator[Write]:
+def _csv_writer(file: BinaryIO, target: Path) -> Iterator[Write]:
     delimiter, begun = delimiter_of(target), False
 
     def write(columns: dict[str, Floats]) -> None:
@@ -80,7 +80,7 @@ def _csv(file: BinaryIO, target: Path) -> Iterator[Write]:
 
 
 @contextmanager
-def _parquet(file: BinaryIO, target: Path) -> Iterator[Write]:
+def _parquet_writer(file: BinaryIO, target: Path) -> Iterator[Write]:
     arrow = pyarrow_for(target)
     writer: Any = None
 
@@ -100,7 +100,7 @@ Counts = NDArray[np.int64]
 
 
 class Scale(NamedTuple):
-    """How a quantity is counted: from where to where [SI], in how many bins. What lies beyond is in the end bins."""
+    """Histogram of a quantity: range [SI] and number of bins. Values beyond the range go into the end bins."""
 
     least: float
     most: float
@@ -110,16 +110,16 @@ class Scale(NamedTuple):
 _QUANTITIES, _LAUNCHED = core.dispersion_quantities()
 SCALES = {name: Scale(least, most, bins) for name, least, most, bins in _QUANTITIES}
 LAUNCHED, FLOWN = dict([*SCALES.items()][:_LAUNCHED]), dict([*SCALES.items()][_LAUNCHED:])
-"""What is counted of launches (to 0.005 m/s, 0.005 degrees and 0.1 rad/s, that is 1 rpm) and of flights (to 2 cm)."""
+"""Quantities counted for launches (bins of 0.005 m/s, 0.005 degrees, 0.1 rad/s or 1 rpm) and flights (2 cm)."""
 LANDING = ("carry", "side")
 """The quantities that make a landing; a shot without a carry is lost."""
 
 
 class ShotTally:
-    """Counts of shots; a shot with NaN is lost and counted as such.
+    """Counts of shots; a shot with NaN counts as lost.
 
-    ``scales`` say how each quantity is counted, and ``centre`` has a value of each near its mean, about which moments
-    are summed. The counts do not depend on the ``threads`` that count, None for one on each core.
+    ``scales`` sets the bins of each quantity; ``centre`` gives a value near each mean, about which moments are summed.
+    The counts do not depend on the number of ``threads`` (None: one per core).
     """
 
     def __init__(self, scales: Mapping[str, Scale], centre: Mapping[str, float], threads: int | None = None) -> None:
@@ -133,21 +133,21 @@ class ShotTally:
 
     @property
     def shots(self) -> int:
-        """The number of shots, the lost ones among them."""
+        """Number of shots, including lost ones."""
         return self._counts.shots
 
     @property
     def lost(self) -> int:
-        """The number of shots without a result."""
+        """Number of shots without a result."""
         return self._counts.lost
 
     @property
     def counted(self) -> int:
-        """The number of shots with a result."""
+        """Number of shots with a result."""
         return self.shots - self.lost
 
     def add(self, values: Mapping[str, Floats]) -> None:
-        """Count shots, each quantity of shape (n,)."""
+        """Count shots; each quantity has the shape (n,)."""
         self._counts.add([np.ascontiguousarray(values[name]) for name in self.scales], self._threads)
 
     def mean(self, name: str) -> float:
@@ -159,22 +159,22 @@ class ShotTally:
         return self._counts.spread(self._place(name))
 
     def quantile(self, name: str, share: float) -> float:
-        """Return the value below which the ``share`` of the shots lies, to a part of a bin."""
+        """Return the value below which the ``share`` of the shots lies, interpolated within a bin."""
         check_share(share)
         return self._counts.quantile(self._place(name), share)
 
     def histogram(self, name: str, width: float) -> tuple[Floats, Counts]:
-        """Return edges [SI] and counts of bins about ``width`` wide, from the least shot to the greatest."""
+        """Return edges [SI] and counts of bins about ``width`` wide, from the smallest value to the largest."""
         edges, counts = self._counts.histogram(self._place(name), width)
         return edges, counts.astype(np.int64)
 
     def landing(self) -> tuple[Floats, Floats]:
-        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings: ahead and to the right."""
+        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings (ahead, right)."""
         mean, (ahead, right, both) = self._counts.landing()
         return np.array(mean), np.array([[ahead, both], [both, right]])
 
     def ellipse(self, share: float) -> Ellipse:
-        """Return the ellipse of the landings that holds a share of them."""
+        """Return the ellipse that contains a share of the landings."""
         check_share(share)
         centre, half_axes, angle = self._counts.ellipse(share)
         return Ellipse(share, np.array(centre), np.array(half_axes), angle)
@@ -185,12 +185,15 @@ class ShotTally:
 
 
 def forward(distance: Floats, side: Floats) -> Floats:
-    """Return how far to the target a ball is [m] that is so far from the tee and from the target line."""
+    """Return the distance along the target line [m] from the distance to the tee and the offset from the line."""
     return np.sqrt(np.maximum(distance**2 - side**2, 0.0))
 
 
 class ImpactSetup(NamedTuple):
-    """How shots are hit; called with deliveries it gives the quantities by name, shape (n,), NaN for a lost shot."""
+    """Equipment, model and conditions of shots; called with deliveries, it returns the quantities by name.
+
+    Each has the shape (n,), with NaN for a lost shot.
+    """
 
     club: Club
     model: str
@@ -210,7 +213,7 @@ class ImpactSetup(NamedTuple):
         except ShotError as error:
             if error.parameter not in golfer.variables:
                 raise
-            # By itself it would be taken for an option of the same name, such as the lie that a shot is played from.
+            # On its own the name would look like an option, such as the lie from which a shot is played.
             raise InputError("golfer", golfer.name, f"one whose mean shot has a result: {error}") from None
         return launch, {name: float(value) for name, value in _values(launch, flight).items()}
 
@@ -220,7 +223,7 @@ class ImpactSetup(NamedTuple):
         reasons: dict[str, str] | None = None,
         outside: RangeTally | None = None,
     ) -> dict[str, Floats]:
-        """Hit shots; ``reasons`` takes why some have no result, ``outside`` those outside the range of the model."""
+        """Hit shots; ``reasons`` collects why some have no result, ``outside`` those outside the model's range."""
         launch, flight = self.strike(deliveries)
         if outside is not None:
             outside.add(launch)
@@ -235,8 +238,8 @@ class ImpactSetup(NamedTuple):
         on_error: Literal["raise", "nan"] = "nan",
         progress: Callable[[int], object] | None = None,
     ) -> tuple[Launch, Flight | None]:
-        """Return launches and, if the balls fly, flights; without the warning of what is outside the model's range."""
-        with without_warnings(RangeWarning):  # the warning is for all shots together
+        """Return launches and, if the balls fly, flights, without range warnings."""
+        with without_warnings(RangeWarning):  # the caller warns once for all shots
             launch = impact(
                 self.club, deliveries, model=self.model, parameters=self.parameters, ball=self.ball,
                 threads=self.threads, accuracy=self.accuracy, on_error=on_error, progress=progress,
@@ -251,17 +254,17 @@ def _values(launch: Launch, flight: Flight | None) -> dict[str, Floats]:
 
 
 CHUNK = 2**16
-"""Shots in memory at a time."""
+"""Maximum number of shots held in memory."""
 DRAWN = 2**11
-"""Shots whose landings are kept for pictures: the first."""
+"""Number of landings kept for pictures, from the first shots."""
 MOST = 2**32
 COUNT = 2**14
 SHARES = (0.5, 0.9)
-"""What the landing ellipses hold of the shots unless given."""
+"""Default shares of the shots inside the landing ellipses."""
 
 
 class Ellipse(NamedTuple):
-    """The ellipse, of the shape of the covariance of the landings, that holds a share of them.
+    """The ellipse, shaped like the covariance of the landings, that contains a share of them.
 
     Attributes
     ----------
@@ -272,7 +275,7 @@ class Ellipse(NamedTuple):
     half_axes
         Half the long and the short axis [m], shape (2,).
     angle
-        From the target line to the long axis, to the right [rad].
+        Angle from the target line to the long axis, positive to the right [rad].
     """
 
     share: float
@@ -283,28 +286,29 @@ class Ellipse(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Dispersion(Described):
-    """Where the shots of a golfer go, SI and radians.
+    """Where a golfer's shots go, in SI units and radians.
 
     Attributes
     ----------
     golfer, club, ball, model
-        Who hits what, and what computed it.
+        Golfer, equipment and impact model.
     seed
-        Of the quasi-random numbers.
+        Seed of the quasi-random numbers.
     tally
-        Means, spreads and quantiles of what launches and flights give, over the shots with a result.
+        Means, spreads and quantiles of launch and flight, over the shots with a result.
     mean_shot
-        What the mean delivery gives, by quantity [SI].
+        Quantities of the mean delivery, by name [SI].
     hole
-        The hole that strokes are counted on, or None.
+        The hole on which strokes are counted, or None.
     strokes
-        Strokes expected after the shot, on average over the shots; NaN without a hole.
+        Mean number of strokes expected after the shot; NaN without a hole.
     lies
-        Share of the shots that come to rest on green, fairway, rough and as recovery; empty without a hole.
+        Share of the shots that come to rest on the green, on the fairway, in the rough and as recovery; empty without a
+        hole.
     points
         The first landings [m], ahead and to the right, shape (n, 2), for pictures.
     reasons
-        Why shots have no result, by the input at fault: one reason each, from the first shots that have none.
+        Why shots have no result: one reason per input at fault, from the first such shots.
     mean_launch
         The launch of the mean delivery.
     conditions
@@ -339,17 +343,17 @@ class Dispersion(Described):
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """The quantities counted."""
+        """Names of the quantities counted."""
         return tuple(self.tally.scales)
 
     @property
     def count(self) -> int:
-        """The number of shots, those without a result among them."""
+        """Number of shots, including those without a result."""
         return self.tally.shots
 
     @property
     def lost(self) -> int:
-        """The number of shots without a result, such as those that miss the face."""
+        """Number of shots without a result, such as those that miss the face."""
         return self.tally.lost
 
     def mean(self, name: str) -> float:
@@ -361,22 +365,22 @@ class Dispersion(Described):
         return self.tally.spread(name)
 
     def quantile(self, name: str, share: float) -> float:
-        """Return the value below which a share of the shots lies."""
+        """Return the value below which a ``share`` of the shots lies."""
         return self.tally.quantile(name, share)
 
     @property
     def gained(self) -> float:
-        """Strokes gained by the shot on the PGA Tour's average: expected before, less expected after and the shot."""
+        """Strokes gained on the PGA Tour average: expected before the shot, minus expected after it, minus 1."""
         return self.hole.before() - self.strokes - 1.0 if self.hole is not None else float("nan")
 
     def to_result(self) -> Result:
-        """Return the dispersion as a result; :func:`dispersion_result` adds what spreads the shots."""
+        """Return the dispersion as a result; :func:`dispersion_result` can add the causes of the spread."""
         from clubface.design.dispersion_result import dispersion_result
 
         return dispersion_result(self)
 
     def ellipse(self, share: float) -> Ellipse:
-        """Return the ellipse of the landings that holds a share of them."""
+        """Return the ellipse that contains a share of the landings."""
         if not self.points.size:
             raise InputError("share", share, "requested for shots that fly and land")
         return self.tally.ellipse(share)
@@ -401,33 +405,33 @@ def dispersion(
     each: Callable[[Mapping[str, Floats], Mapping[str, Floats]], object] | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Dispersion:
-    """Hit a golfer's shots and sum up where they go.
+    """Hit a golfer's shots and summarise where they go.
 
-    Memory does not grow with the number of shots, and the same seed gives the same shots whatever their number.
+    Memory does not grow with the number of shots, and a seed gives the same first shots whatever the count.
 
     Parameters
     ----------
     golfer
-        A shipped golfer's name, the path of a TOML file, or a :class:`Golfer`. For a club of the other hand the golfer
-        is mirrored.
+        A shipped golfer's name, the path of a TOML file, or a :class:`Golfer`. The golfer is mirrored for a club of the
+        other hand.
     club
-        As for :func:`impact`; left out, that of the golfer, of the golfer's hand.
+        As for :func:`impact`; default the golfer's own club, for the golfer's hand.
     count
-        How many shots; powers of two cover the distribution most evenly.
+        Number of shots; powers of two cover the distribution most evenly.
     seed
-        Another seed gives other shots.
+        Seed of the quasi-random numbers.
     model, parameters, ball, accuracy, threads
         As for :func:`impact`.
     air, wind, ground
         As for :func:`fly`.
     flight
-        Whether the balls fly; without, launches alone are counted.
+        Whether the balls fly; otherwise only launches are counted.
     hole
         A :class:`Hole` on which strokes are counted, or None.
     each
-        Called with the deliveries of some shots and what came of them, by name in SI units, chunk after chunk.
+        Called for every chunk with its deliveries and results, by name in SI units.
     progress
-        Called with the number of shots done and that of all.
+        Called with the number of shots done and the total.
     """
     count, seed = check_count("count", count, 1, MOST), check_count("seed", seed, 0, MOST_SEED)
     player = golfer_named(golfer)

@@ -1,4 +1,4 @@
-"""A dispersion as a result: where the shots go, what spreads them, and the picture of the landings."""
+"""Tables, notes and picture of a dispersion: where the shots go and what spreads them."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
     from clubface.design.variance import ByDerivatives, Indices
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
-"""Shares of the shots whose quantiles are given."""
+"""Quantiles listed."""
 MARKED = (0.1, 0.5, 0.9)
-"""Shares of the shots below the lines in a histogram."""
+"""Quantiles marked by lines in a histogram."""
 BINS = {"ball_speed": 0.22352, "launch": np.radians(0.25), "carry": 1.8288, "side": 1.8288}
 """Widths of the bars of a histogram [SI]: half a mph, a quarter of a degree, two yards."""
 MOST_BARS = 6
-"""Variables of which a bar is drawn: those with the greatest shares."""
+"""Maximum number of variables drawn as bars: those with the largest shares."""
 
 
 def dispersion_result(
     dispersion: Dispersion, slopes: ByDerivatives | None = None, shares: Indices | None = None
 ) -> Result:
-    """Return a dispersion as a result, with its spread ``slopes`` by derivatives and ``shares`` of its variance."""
+    """Return a dispersion as a result, optionally with the spread by derivatives and shares of the variance."""
     golfer = dispersion.golfer
     title = (
         f"{golfer.title or golfer.name}: {dispersion.count} shot{'s' * (dispersion.count > 1)}, club "
@@ -173,16 +173,16 @@ def _notes(dispersion: Dispersion, slopes: ByDerivatives | None, shares: Indices
 def dispersion_picture(
     dispersion: Dispersion, shares: Indices | None = None, ellipses: Sequence[float] | None = None
 ) -> Picture:
-    """Return landings with ellipses that hold shares of them, histograms, and shares of the variance.
+    """Return the picture of landings with ellipses, histograms, and shares of the variance.
 
     Parameters
     ----------
     dispersion
-        The dispersion; launches alone are drawn where no ball flies.
+        The dispersion; only launches are drawn if no ball flies.
     shares
-        Which variables spread the outcomes; no bars are drawn without them.
+        Shares of the variance by variable; without them no bars are drawn.
     ellipses
-        Shares of the landings that the ellipses hold; 50 and 90 % unless given.
+        Shares of the landings inside the ellipses; default 50 % and 90 %.
     """
     flies = bool(dispersion.points.size)
     columns: list[list[Panel | None]] = []
@@ -219,7 +219,7 @@ def _landings(dispersion: Dispersion, ellipses: Sequence[float] | None) -> Panel
                 label=f"{share:.0%} of the landings",
             )
         )  # fmt: skip
-    # The few topped shots would make everything small.
+    # A few topped shots would stretch the axes.
     low, high = (dispersion.quantile("carry", share) for share in (0.002, 0.999))
     room, wide = 0.2 * (high - low), 1.05 * max(float(np.abs(right).max()), 1.0)
     return Panel(

@@ -1,4 +1,4 @@
-"""A face struck everywhere: launch and flight over it, its best point, what scattered impacts cost, two faces."""
+"""Maps of a face: launch and flight all over it, the best point, the cost of scattered impacts, differences."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ if TYPE_CHECKING:
 
 
 class Forgiveness(NamedTuple):
-    """What impacts around a point cost.
+    """What impacts scattered around a point cost.
 
     Attributes
     ----------
     toe, high
-        The point they scatter about [m].
+        Mean impact point [m].
     toe_deviation, high_deviation
-        Their standard deviations [m].
+        Standard deviations of the impact point [m].
     missed
-        The share of swings that miss the face, of which nothing else is counted.
+        Share of swings that miss the face; they do not enter the other values.
     mean, deviation
         Mean and standard deviation of every quantity of a map [SI], by name.
     loss
-        By how much the mean is below the value at the point they scatter about [SI], by name.
+        Value at the mean impact point minus the mean [SI], by name.
     """
 
     toe: float
@@ -60,13 +60,13 @@ class Forgiveness(NamedTuple):
 
 GRID = (101, 101)
 COARSE = (9, 7)
-"""Points towards the toe and upwards, unless given: of a model that computes at once, and of one that takes long."""
+"""Default numbers of points towards the toe and upwards, for a fast model and for a slow one."""
 LEAST, MOST = 3, 2001
-"""Points along a side of a grid."""
+"""Minimum and maximum number of points along a side of the grid."""
 MOST_LONG = 1000
-"""Points of a model that takes long."""
+"""Maximum number of points for a slow model."""
 SHARE = 0.98
-"""Share of the best ball speed from which a point counts as part of the effective face."""
+"""Share of the best ball speed above which a point belongs to the effective face."""
 
 
 class Best(NamedTuple):
@@ -86,7 +86,7 @@ class Best(NamedTuple):
 
 
 class _Mapped(Described):
-    """What a map and the difference of two have in common."""
+    """Common interface of a map and of the difference of two maps."""
 
     toe: Floats
     high: Floats
@@ -94,7 +94,7 @@ class _Mapped(Described):
 
     @property
     def maps(self) -> list[FaceMap]:
-        """The map, or the two whose difference it is."""
+        """The map, or both maps of a difference."""
         raise NotImplementedError
 
     def get(self, name: str, unit: str | None = None) -> Floats:
@@ -102,11 +102,11 @@ class _Mapped(Described):
         raise NotImplementedError
 
     def box(self, name: str) -> tuple[Floats, Floats, Floats]:
-        """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face."""
+        """Return grid coordinates towards the toe and upwards [m], and a quantity [SI] over the face's bounding box."""
         raise NotImplementedError
 
     def columns(self) -> dict[str, Floats]:
-        """Return a long table [SI]: ``toe``, ``high`` and every quantity, a row for each point of the face."""
+        """Return ``toe``, ``high`` and every quantity [SI] as columns, with a row for each point of the face."""
         toe, high = np.meshgrid(self.toe, self.high)
         inside = self.outline.holds(toe, high)
         return {"toe": toe[inside], "high": high[inside], **{name: self.get(name)[inside] for name in QUANTITIES}}
@@ -123,9 +123,9 @@ class _Mapped(Described):
         Parameters
         ----------
         quantities
-            Those that are listed, drawn and given over the grid; left out, eight are listed and drawn.
+            Quantities to list, draw and tabulate over the grid; by default eight are listed and drawn.
         scatter
-            What scattered impacts cost, from :meth:`FaceMap.forgiveness` of each map.
+            Cost of scattered impacts: :meth:`FaceMap.forgiveness` of each map.
         """
         from clubface.design.face_map_result import face_map_result
 
@@ -133,19 +133,19 @@ class _Mapped(Described):
 
 
 class FaceMap(_Mapped):
-    """Launch and flight over a face, SI; arrays have the shape (high, toe), NaN outside the face.
+    """Launch and flight over a face, in SI units; arrays have the shape (high, toe), with NaN outside the face.
 
     Attributes
     ----------
     toe, high
-        The points of the grid [m], from the face centre towards the toe and upwards.
+        Coordinates of the grid [m], from the face centre towards the toe and upwards.
     outline
         The outline of the face.
     centre
         A launch at the face centre, with model, parameters, club, ball and delivery.
     interpolated
-        Whether values between the points, the best point, areas and forgiveness are interpolated. They are for a model
-        that takes long; any other computes them.
+        Whether values between the points, the best point, areas and forgiveness are interpolated, as they are for a
+        slow model, rather than computed.
     """
 
     def __init__(
@@ -159,7 +159,7 @@ class FaceMap(_Mapped):
 
     @property
     def maps(self) -> list[FaceMap]:
-        """This map."""
+        """This map, as a list."""
         return [self]
 
     def get(self, name: str, unit: str | None = None) -> Floats:
@@ -169,7 +169,7 @@ class FaceMap(_Mapped):
         return values if unit is None else units.from_si(values, symbol(name, unit))
 
     def at(self, toe: ValueLike, high: ValueLike) -> dict[str, Floats]:
-        """Return all quantities [SI] at points [m] of the face, by name."""
+        """Return all quantities [SI] by name at points [m] of the face."""
         toe, high = np.broadcast_arrays(
             units.parse_values(toe, "length", name="toe"), units.parse_values(high, "length", name="high")
         )
@@ -177,34 +177,34 @@ class FaceMap(_Mapped):
         return {name: row.reshape(toe.shape) for name, row in zip(QUANTITIES, result, strict=True)}
 
     def best(self, name: str = "ball_speed") -> Best:
-        """Return where a quantity is greatest; for ball speed that is the sweet spot."""
+        """Return the point where a quantity is greatest; for ball speed this is the sweet spot."""
         check_choice("quantity", name, QUANTITIES)
         return Best(*self.surface.greatest(QUANTITIES.index(name)))
 
     def area(self, share: float = SHARE) -> float:
-        """Return the area [m2] of the face on which the ball speed is at least a ``share`` of the best."""
+        """Return the area [m2] of the face where the ball speed is at least a ``share`` of the best."""
         check_share(share)
         return self.surface.area(QUANTITIES.index("ball_speed"), share * self.best().value)
 
     def forgiveness(
         self, spread: tuple[float | str, float | str], *, toe: float | str = 0.0, high: float | str = 0.0
     ) -> Forgiveness:
-        """Return what impacts cost that scatter about a point, normally and towards the toe and upwards independently.
+        """Return the cost of impacts with independent normal scatter towards the toe and upwards.
 
-        Expectations are integrals over the face by Gauss's rule: across it, and at each place from its lower to its
-        upper edge.
+        Expectations are integrals over the face by Gauss's rule: from heel to toe, and at each place from its lower to
+        its upper edge.
 
         Parameters
         ----------
         spread
             Standard deviations towards the toe and upwards [m], or text with a unit.
         toe, high
-            The point they scatter about [m], or text with a unit; the face centre unless given.
+            Mean impact point [m], or text with a unit; default the face centre.
 
         Raises
         ------
         InputError
-            A standard deviation is not above 0 or larger than the face, or the point is not on the face.
+            A standard deviation is not positive or exceeds the size of the face, or the point is not on the face.
         """
         if not isinstance(spread, (tuple, list)) or len(spread) != 2:
             raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
@@ -223,14 +223,15 @@ class FaceMap(_Mapped):
     def box(self, name: str) -> tuple[Floats, Floats, Floats]:
         """Return places towards the toe and upwards [m], and a quantity [SI] over the whole box around the face.
 
-        It reaches beyond the outline, so that a picture can be cut along it, and is fine where the grid is coarse.
+        It extends beyond the outline, so that a picture can be clipped to it, and has a fine grid for an interpolated
+        map.
         """
         check_choice("quantity", name, QUANTITIES)
         toe, high, table = self.surface.box()
         return toe, high, table[QUANTITIES.index(name)]
 
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
-        """Return a dataset over ``high`` and ``toe`` [SI] with its provenance, or a table of :meth:`to_result`."""
+        """Return a dataset over ``high`` and ``toe`` [SI] with provenance, or a table of :meth:`to_result`."""
         if name is not None:
             return self.to_result().to_xarray(name)
         import xarray
@@ -270,36 +271,36 @@ def map_face(
     progress: Callable[[int, int], object] | None = None,
     **values: float | str | None,
 ) -> FaceMap:
-    """Strike a face everywhere.
+    """Map launch and flight over a face.
 
-    The clubhead is delivered in the same way at every point; dynamic loft and face angle are those at the face centre,
-    to which bulge and roll add what they do. Each point is the shot that :func:`clubface.impact` and
-    :func:`clubface.fly` give, bit for bit.
+    The clubhead delivery is the same at every point; dynamic loft and face angle refer to the face centre, and bulge
+    and roll change them across the face. Each point is, bit for bit, the shot of :func:`clubface.impact` and
+    :func:`clubface.fly`.
 
     Parameters
     ----------
     club, delivery, model, parameters, ball, accuracy, **values
         As for :func:`clubface.impact`, for a single shot without ``toe`` and ``high``.
     grid
-        Numbers of points towards the toe and upwards, over the box around the face; left out, 101 by 101, or 9 by 7 for
-        a model that takes long.
+        Numbers of points towards the toe and upwards, over the bounding box of the face; default 101 by 101, or 9 by 7
+        for a slow model.
     points
-        Instead of a grid: the places towards the toe and upwards [m], each rising.
+        Instead of a grid: coordinates towards the toe and upwards [m], each increasing.
     air, wind, ground
-        Of the flights, as for :func:`clubface.fly`.
+        Conditions of the flights, as for :func:`clubface.fly`.
     output
-        For a model that takes long: a file. What is finished is kept in a folder next to it until the file is written,
-        and the same call goes on after it.
+        For a slow model: the output file. Finished points are kept in a folder next to it until the file is written;
+        the same call then resumes.
     workers
-        For a model that takes long: points at a time; left out, one for each core.
+        For a slow model: number of points computed at a time; default one per core.
     progress
-        Called with the number of points done and the number of points.
+        Called with the number of points done and the total.
 
     Raises
     ------
     InputError
-        The delivery is no single shot or says where the ball is struck, the grid is too coarse or too fine, or an
-        option has no effect on this model.
+        The delivery is not a single shot or includes an impact point, the grid is too coarse or too fine, or an option
+        has no effect with this model.
     RunError
         No point of the face has a shot.
     """
@@ -349,7 +350,7 @@ def map_face(
 
 
 def checked_grid(grid: Any) -> tuple[int, int]:
-    """Return how many points a grid has towards the toe and upwards."""
+    """Return the numbers of points towards the toe and upwards, checked."""
     asked = tuple(grid) if isinstance(grid, Iterable) else ()
     if len(asked) != 2 or not all(is_count(each, LEAST, MOST) for each in asked):
         raise InputError("grid", grid, f"two whole numbers from {LEAST} to {MOST}, as in 101 by 101")
@@ -357,7 +358,7 @@ def checked_grid(grid: Any) -> tuple[int, int]:
 
 
 def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[Floats, Floats]:
-    """Return the places towards the toe and upwards [m]."""
+    """Return the grid coordinates towards the toe and upwards [m]."""
     if points is not None:
         if grid is not None:
             raise InputError("grid", grid, "leave out either points or grid")
@@ -381,16 +382,16 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[Fl
 
 
 class FaceMapDifference(_Mapped):
-    """The map of one face less that of another, over the points they share.
+    """The map of one face minus the map of another on the same points.
 
     Attributes
     ----------
     first, second
-        The maps; the second is taken from the first.
+        The maps; the second is subtracted from the first.
     toe, high
-        The points of the grid [m].
+        Coordinates of the grid [m].
     outline
-        That of the first face.
+        Outline of the first face.
     """
 
     def __init__(self, first: FaceMap, second: FaceMap) -> None:
@@ -405,16 +406,16 @@ class FaceMapDifference(_Mapped):
 
     @property
     def maps(self) -> list[FaceMap]:
-        """The two maps."""
+        """Both maps."""
         return [self.first, self.second]
 
     def get(self, name: str, unit: str | None = None) -> Floats:
-        """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either has no shot."""
+        """Return the difference of a quantity over the grid, in SI or in ``unit``; NaN where either map has no shot."""
         result = self.first.get(name) - self.second.get(name)
         return result if unit is None else result / units.size(symbol(name, unit))
 
     def box(self, name: str) -> tuple[Floats, Floats, Floats]:
-        """Return what :meth:`FaceMap.box` does of the difference; NaN outside a second face of another outline."""
+        """Return the difference as :meth:`FaceMap.box` does; NaN outside the second face if its outline differs."""
         check_choice("quantity", name, QUANTITIES)
         toe, high, values = self.first.box(name)
         across, up = np.meshgrid(toe, high)

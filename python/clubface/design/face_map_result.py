@@ -1,4 +1,4 @@
-"""Maps of faces as results: extremes, best points, what scattered impacts cost, and contours over the outline."""
+"""Tables and pictures of face maps: extremes, best points, cost of scattered impacts, and contours."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ if TYPE_CHECKING:
     from clubface.design.face_map import FaceMap, Forgiveness, _Mapped as Mapped
 
 LISTED = ("ball_speed", "launch", "backspin", "sidespin", "azimuth", "carry", "side", "total")
-"""Quantities that are listed and drawn unless others are asked for."""
+"""Quantities listed and drawn by default."""
 LEAST_MISSED = 5e-5
 """Share of swings that miss the face above which a note says so."""
 OFF_CENTRE = 0.02
-"""Distance from the centre of the strikes in the summary [m]."""
+"""Distance of the summary's off-centre strikes from the face centre [m]."""
 PRINTED_POINTS = (9, 7)
-"""Points of a printed table towards the toe and upwards."""
+"""Maximum number of points in a printed table, towards the toe and upwards."""
 DRAWN_POINTS = 61
-"""Points along a side from which contours are drawn, at most."""
+"""Maximum number of points along a side used for contours."""
 
 
 def face_map_result(mapped: Mapped, names: Sequence[str] = (), spreads: Sequence[Forgiveness] = ()) -> Result:
-    """Return a map, or the difference of two, as a result; ``names`` are the quantities listed, drawn and tabulated."""
+    """Return a map, or the difference of two, as a result; list, draw and tabulate the quantities ``names``."""
     listed, maps = tuple(names) or LISTED, mapped.maps
     clubs = " less ".join(each.centre.club.name for each in maps)
     first = maps[0]
@@ -59,20 +59,20 @@ def face_map_result(mapped: Mapped, names: Sequence[str] = (), spreads: Sequence
 
 
 def points_table(mapped: Mapped) -> Table:
-    """Return every quantity at every point of the face as a table, a row a point."""
+    """Return a table of every quantity, with one row per point of the face."""
     values, difference = mapped.columns(), len(mapped.maps) > 1
     columns = [column(name, values[name]) for name in ("toe", "high")]
     for name in QUANTITIES:
-        columns.append(_value(f"difference_{name}" if difference else name, name, values[name], difference))
+        columns.append(_value_column(f"difference_{name}" if difference else name, name, values[name], difference))
     return Table("map", tuple(columns), "All points of the face", printed=False, shown_rows=())
 
 
-def _value(name: str, kind: str, values: Any, difference: bool) -> Column:
+def _value_column(name: str, kind: str, values: Any, difference: bool) -> Column:
     return column(name, values, kind, label=quantity(kind).label, difference=difference)
 
 
-def _finer(name: str, difference: bool) -> Quantity:
-    """Return a quantity, with a digit more for differences."""
+def _quantity_with_digits(name: str, difference: bool) -> Quantity:
+    """Return a quantity, with an extra digit for differences."""
     kind = quantity(name)
     return kind._replace(golf=kind.golf._replace(digits=kind.golf.digits + 1)) if difference else kind
 
@@ -90,7 +90,7 @@ def _extremes(mapped: Mapped, names: Sequence[str]) -> Table:
                 ends[end].append((float(values[up, across]), float(mapped.toe[across]), float(mapped.high[up])))
             else:
                 ends[end].append((None, None, None))
-    kinds = [_finer(name, difference) for name in names]
+    kinds = [_quantity_with_digits(name, difference) for name in names]
     columns = [
         text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
         Column("centre", centre, kinds, "at the centre", difference=difference),
@@ -104,21 +104,23 @@ def _extremes(mapped: Mapped, names: Sequence[str]) -> Table:
     return Table("extremes", tuple(columns))
 
 
-def _some(count: int, most: int) -> NDArray[Any]:
-    """Return evenly spread places among ``count``, both ends with them."""
+def _spread_indices(count: int, most: int) -> NDArray[Any]:
+    """Return at most ``most`` evenly spread indices of ``count``, including both ends."""
     return np.unique(np.round(np.linspace(0, count - 1, min(most, count))).astype(int))
 
 
 def _grid_table(mapped: Mapped, name: str) -> Table:
-    """Return a quantity over the grid; a few of the points are printed, the highest first."""
+    """Return the table of a quantity over the grid; only a few points are printed, the highest first."""
     difference = len(mapped.maps) > 1
     toe, high = np.meshgrid(mapped.toe, mapped.high[::-1])
-    across, up = (_some(len(each), most) for each, most in zip((mapped.toe, mapped.high), PRINTED_POINTS, strict=True))
+    across, up = (
+        _spread_indices(len(each), most) for each, most in zip((mapped.toe, mapped.high), PRINTED_POINTS, strict=True)
+    )
     rows = (len(mapped.high) - 1 - up[::-1])[:, None] * len(mapped.toe) + across
     columns = (
         text("up", [f"{format_number(1e3 * each, 1)} mm high" for each in high.ravel()], in_files=False),
         text("across", [f"{format_number(1e3 * each, 0)} mm" for each in toe.ravel()], in_files=False),
-        _value(f"difference_{name}" if difference else name, name, mapped.get(name)[::-1], difference),
+        _value_column(f"difference_{name}" if difference else name, name, mapped.get(name)[::-1], difference),
         column("toe", toe, printed=False), column("high", high, printed=False),
     )  # fmt: skip
     title = f"{quantity(name).label} over places towards the toe"
@@ -165,7 +167,7 @@ def _spread_words(forgiveness: Forgiveness) -> str:
 def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], listed: Sequence[str]) -> Table:
     names = [*listed, *(name for name in QUANTITIES if name not in listed)]
     rows = [(mapped.centre.club.name, each, name) for mapped, each in zip(maps, spreads, strict=True) for name in names]
-    kinds, finer = ([_finer(name, more) for _, _, name in rows] for more in (False, True))
+    kinds, finer = ([_quantity_with_digits(name, more) for _, _, name in rows] for more in (False, True))
     columns = (
         text("club", [club for club, _, _ in rows], printed=len(maps) > 1),
         text("quantity", [name for _, _, name in rows], printed=False),
@@ -212,9 +214,9 @@ def _notes(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness]) -> Iterator[
 
 
 def face_map_picture(mapped: Mapped, names: Sequence[str] = LISTED) -> Picture:
-    """Return contours over a face, the toe on the right: a right-hander's face as seen through the head from behind.
+    """Return contours over a face with the toe on the right: a right-handed face seen from behind, through the head.
 
-    A cross marks the face centre, and a ring the point of the greatest ball speed (of the first club).
+    A cross marks the face centre, a ring the point of greatest ball speed (of the first club).
     """
     first = mapped.maps[0]
     best = first.best()
@@ -235,7 +237,7 @@ def face_map_picture(mapped: Mapped, names: Sequence[str] = LISTED) -> Picture:
 
 def _contours(mapped: Mapped, name: str, best: tuple[float, float]) -> Panel:
     toe, high, values = mapped.box(name)
-    across, up = (_some(len(each), DRAWN_POINTS) for each in (toe, high))
+    across, up = (_spread_indices(len(each), DRAWN_POINTS) for each in (toe, high))
     inside = np.where(mapped.outline.holds(*np.meshgrid(toe, high)), values, np.nan)
     limits = (float(np.nanmin(inside)), float(np.nanmax(inside)))
     kind, corners = quantity(name), mapped.outline.corners

@@ -1,4 +1,4 @@
-"""Launch and flight anywhere on a face: computed there, or interpolated where a model takes too long for that."""
+"""Launch and flight anywhere on a face: computed on demand, or interpolated for a model that is too slow."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ CHUNK = 2**16
 
 
 class Struck(NamedTuple):
-    """How a face is struck: everything but where."""
+    """Setup and delivery of the impacts on a face: everything except the impact point."""
 
     setup: ImpactSetup
     delivery: Mapping[str, Any]
 
     @property
     def takes_long(self) -> bool:
-        """Whether the model takes tenths of a second a shot, so that points of the face are few."""
+        """Whether the model is slow (tenths of a second per shot), so that few points can be computed."""
         return self.setup.model in MODULES
 
     def at(
@@ -50,7 +50,7 @@ class Struck(NamedTuple):
     ) -> Floats:
         """Return ``QUANTITIES`` [SI] at points [m], shape (quantities, points); NaN where there is no shot.
 
-        With ``remark`` it warns of shots outside the range of the model.
+        ``remark``: warn of shots outside the model's range.
         """
         count = progress and (lambda before, done: progress(before + done, toe.size))
         result, outside = np.empty((len(QUANTITIES), toe.size)), Tally()
@@ -70,9 +70,9 @@ def run_points(
     struck: Struck, toe: Floats, high: Floats, *, output: str | os.PathLike[str] | None, workers: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> Floats:  # fmt: skip
-    """Return what :meth:`Struck.at` does, point after point by finite elements, so many at a time, or one on each core.
+    """Return the same as :meth:`Struck.at` by finite elements, ``workers`` points at a time (None: one per core).
 
-    What is finished is kept in a folder next to a file ``output``, and the same call goes on after it.
+    Finished points are kept in a folder next to the file ``output``; the same call then resumes.
     """
     from clubface.fem.run import strike
     from clubface.fem.settings import Settings
@@ -102,13 +102,13 @@ def run_points(
 
 
 def finished(output: str | os.PathLike[str] | None) -> None:
-    """Remove the store of the points, once the file is written."""
+    """Remove the store of points once the file is written."""
     if output is not None:
         shutil.rmtree(unfinished_folder(Path(output)), ignore_errors=True)
 
 
 def _with_flights(setup: ImpactSetup, table: Floats) -> Floats:
-    """Return ``QUANTITIES`` for outputs of launches, shape (outputs, points)."""
+    """Return ``QUANTITIES`` from launch outputs, shape (outputs, points)."""
     from clubface.fem.balls import ball
 
     by_name = dict(zip(outputs(), table, strict=True))
@@ -143,22 +143,22 @@ def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[t
 
 
 HEEL_HEIGHT = 30.0 / 54.0
-"""Height of an iron's face at the heel over that at the toe: of the blade ``7-iron`` among the meshed heads."""
+"""Height of an iron's face at the heel over the height at the toe, from the meshed blade ``7-iron``."""
 CORNERS = 96
-"""Corners of an ellipse."""
+"""Number of corners of the polygon for an ellipse."""
 BETWEEN = 20
-"""Points along each straight side of a mesh, so that it can be cut off anywhere."""
+"""Points along each straight side of a mesh outline, so that it can be clipped anywhere."""
 
 
 class Outline(NamedTuple):
-    """The outline of a face, seen along its normal; it bulges outwards everywhere.
+    """The convex outline of a face, seen along its normal.
 
     Attributes
     ----------
     corners
-        Towards the toe and up the face [m], shape (corners, 2), all the way round.
+        Corners in order, towards the toe and up the face [m], shape (corners, 2).
     origin
-        Where it comes from, in words.
+        Description of where it comes from.
     """
 
     corners: Floats
@@ -166,29 +166,29 @@ class Outline(NamedTuple):
 
     @property
     def least(self) -> Floats:
-        """The lower and heel-side corner of the box around it [m]."""
+        """Lower heel-side corner of the bounding box [m]."""
         return self.corners.min(axis=0)
 
     @property
     def greatest(self) -> Floats:
-        """The upper and toe-side corner of the box around it [m]."""
+        """Upper toe-side corner of the bounding box [m]."""
         return self.corners.max(axis=0)
 
     def in_core(self) -> core.FaceOutline:
-        """Return it as the core takes it."""
+        """Return the outline as the core's type."""
         return core.FaceOutline(self.corners.tolist())
 
     def holds(self, toe: ValueLike, high: ValueLike, slack: float = 1e-9) -> NDArray[np.bool_]:
-        """Return which points [m] are inside or on it."""
+        """Return whether points [m] lie inside or on the outline."""
         toe, high = np.broadcast_arrays(np.asarray(toe, float), np.asarray(high, float))
         return self.in_core().holds(toe.reshape(-1), high.reshape(-1), slack).reshape(toe.shape)
 
     def extent(self, toe: Floats) -> tuple[Floats, Floats]:
-        """Return the least and the greatest height of the face [m] at places towards the toe [m]."""
+        """Return the lowest and the highest point of the face [m] at distances towards the toe [m]."""
         return self.in_core().extent(toe)
 
     def area(self) -> float:
-        """Return its area [m2]."""
+        """Return the area [m2]."""
         return self.in_core().area()
 
 
@@ -196,7 +196,7 @@ def outline_of(club: Club) -> Outline:
     """Return the outline of a club's face."""
     size = f"{units.show(club.face_width, 'mm', 4)} by {units.show(club.face_height, 'mm', 4)}"
     if hasattr(club, "head"):
-        return _of_mesh(club)
+        return _mesh_outline(club)
     width, height = club.face_width / 2.0, club.face_height / 2.0
     if club.kind == "iron":
         heel = -height + 2.0 * height * HEEL_HEIGHT
@@ -209,14 +209,14 @@ def outline_of(club: Club) -> Outline:
     return Outline(corners, f"assumed: an ellipse of {size}")
 
 
-def _of_mesh(club: Any) -> Outline:
-    """Return what holds all nodes of the face of a club that has a mesh."""
+def _mesh_outline(club: Any) -> Outline:
+    """Return the convex hull of the face nodes of a meshed club."""
     from scipy.spatial import ConvexHull
 
     places = club.head.face_places() @ turn_to_sole(club.loft)
     flat = np.stack([places[:, 2], places[:, 1]], axis=1)
     corners = flat[ConvexHull(flat).vertices]
-    # The club says how far from the centre its face can be struck, which is less where the centre is not in the middle.
+    # The club limits how far from the centre its face can be struck: less if the centre is not in the middle.
     limit = np.array([club.face_width, club.face_height]) / 2.0
     share = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)[None, :, None]
     between = corners[:, None] * (1.0 - share) + np.roll(corners, -1, axis=0)[:, None] * share
@@ -224,9 +224,9 @@ def _of_mesh(club: Any) -> Outline:
 
 
 class Surface:
-    """The quantities on a face, between the points of a grid and beyond them, within an outline.
+    """The quantities at any point of a face.
 
-    ``interpolated`` says whether it is interpolated between the points of the grid.
+    ``interpolated`` says whether they are interpolated between the points of a grid.
     """
 
     interpolated = False
@@ -237,16 +237,16 @@ class Surface:
         raise NotImplementedError
 
     def box(self) -> tuple[Floats, Floats, Floats]:
-        """Return places towards the toe and upwards [m], and the quantities over the whole box around the face.
+        """Return grid coordinates towards the toe and upwards [m], and the quantities over the face's bounding box.
 
-        The last have the shape (quantities, high, toe) and reach beyond the outline, so that it can be cut sharply.
+        The quantities, shape (quantities, high, toe), extend beyond the outline so that it can be clipped sharply.
         """
         raise NotImplementedError
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
         """Return the point [m] where a quantity is greatest, and its value there [SI].
 
-        The neighbourhood of the greatest value of the box is looked at more and more closely.
+        The search refines around the largest value on the grid.
         """
         toe, high, table = self.box()
         best = self.outline.in_core().greatest(
@@ -257,9 +257,9 @@ class Surface:
         return best
 
     def area(self, quantity: int, least: float) -> float:
-        """Return the area [m2] of the face on which a quantity is at least so great.
+        """Return the area [m2] of the face where a quantity is at least ``least``.
 
-        It is measured between the points of the box, or of a finer grid where they are few.
+        It is integrated over the grid, or over a finer one if the grid is coarse.
         """
         toe, high, table = self.box()
         return self.outline.in_core().area_above(
@@ -268,7 +268,7 @@ class Surface:
 
 
 class ComputedFace(Surface):
-    """A face on which every point can be computed at once; its box is the grid."""
+    """A face whose points are computed on demand; its box is the grid."""
 
     def __init__(self, struck: Struck, outline: Outline, toe: Floats, high: Floats, table: Floats) -> None:
         self.outline, self.at = outline, struck.at
@@ -280,7 +280,7 @@ class ComputedFace(Surface):
 
 
 class Interpolated(Surface):
-    """A face of which some points are known: radial basis functions through them (cubic, about a parabola)."""
+    """A face interpolated between known points by radial basis functions (cubic, about a parabola)."""
 
     interpolated = True
 
@@ -305,7 +305,7 @@ class Interpolated(Surface):
         self._box = fine_toe, fine_high, fine.reshape(len(QUANTITIES), count, count)
 
     def at(self, toe: Floats, high: Floats) -> Floats:
-        """Return the quantities at points of the face."""
+        """Return the interpolated quantities at points of the face."""
         return self._through(np.stack([toe, high], axis=1) / self._scale).T
 
     def box(self) -> tuple[Floats, Floats, Floats]:

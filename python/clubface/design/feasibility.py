@@ -1,13 +1,13 @@
-"""Whether a clubhead can exist: its mass, CG and inertia must be those of mass that is nowhere negative in its volume.
+"""Whether a clubhead can exist: non-negative mass in its volume must be able to give its mass, CG and inertia.
 
-The moments of a body up to the second order are one symmetric matrix of four rows, its pseudo-inertia: the integral of
-(x, y, z, 1)(x, y, z, 1)' over its mass. It belongs to a body if and only if it is positive semidefinite, which is more
-than that no principal moment of inertia exceeds the sum of the others. It belongs to a body within the region where a
-quadratic form (x, y, z, 1) Q (x, y, z, 1)' is not negative only if trace(J Q) is not negative, and for an ellipsoid
-these two conditions are enough (Wensing, Kim and Slotine, 2018). Moments add up, so what a designer may place freely
-in a head has the moments of the head less those of the shell, and the same holds of them.
+The moments of a body up to second order form one symmetric 4 by 4 matrix J, its pseudo-inertia: the integral of (x, y,
+z, 1)(x, y, z, 1)' over its mass. A body with these moments exists if and only if J is positive semidefinite, which is a
+stronger condition than the triangle inequality of the principal moments of inertia. Such a body fits into the region
+where a quadratic form (x, y, z, 1) Q (x, y, z, 1)' is non-negative only if trace(J Q) is non-negative; for an ellipsoid
+these two conditions are sufficient (Wensing, Kim and Slotine, 2018). Moments are additive, so the discretionary mass of
+a head has the moments of the head minus those of the shell and must meet the same conditions.
 
-The volume of a head that nobody has measured is scaled from the driver and the 7-iron.
+An unknown volume is scaled from the driver's or the 7-iron's.
 
 The origin is the face centre, the axes are those of the club: x to the target, y up, z to the toe.
 """
@@ -31,18 +31,18 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 MASS_PROPERTIES = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-"""The fields of a club that its distribution of mass determines."""
+"""Club fields determined by the mass distribution."""
 SHAPES = ("ellipsoid", "box")
 ROUNDING = 1e-9
-"""What a margin may miss, as a part of its natural size."""
+"""Relative tolerance for rounding in a margin."""
 _PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
 DRIVER_VOLUME = units.to_si(460.0, "cm3")
 DRIVER_WIDTH, IRON_WIDTH = 0.105, 0.07
-"""Widths of the faces of both [m], by which other heads are scaled."""
+"""Face widths of the two reference heads [m], by which other heads are scaled."""
 FREE = 0.03
-"""Mass that a designer may place freely [kg]; the rest is shell. That of a driver; assumed of others."""
+"""Discretionary mass [kg], typical of a driver and assumed for other heads; the rest is shell."""
 
 
 def pseudo_inertia(values: Floats) -> Floats:
@@ -57,7 +57,7 @@ def pseudo_inertia(values: Floats) -> Floats:
 
 
 def pseudo_inertia_derivatives(values: Floats) -> Floats:
-    """Return the derivatives of the pseudo-inertia by the mass properties, shape (10, 4, 4)."""
+    """Return the derivatives of the pseudo-inertia with respect to the mass properties, shape (10, 4, 4)."""
     mass, place = values[0], -values[1:4]
     result = np.zeros((10, 4, 4))
     result[0] = np.outer([*place, 1.0], [*place, 1.0])
@@ -92,7 +92,7 @@ def _tensor(entries: Floats) -> Floats:
 
 
 class QuadraticForm(NamedTuple):
-    """A condition trace(J Q) >= 0 on mass in a volume: what is wrong where it is not met, and Q, shape (4, 4)."""
+    """A condition trace(J Q) >= 0 on mass in a volume: what its violation means, and Q, shape (4, 4)."""
 
     words: str
     matrix: Floats
@@ -100,17 +100,16 @@ class QuadraticForm(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Volume:
-    """The space that the mass of a head lies in.
+    """The space that contains the mass of a head.
 
     Attributes
     ----------
     shape
-        "ellipsoid", for which the conditions are exact, or "box", for which they are necessary: they refuse no body
-        that is in it.
+        "ellipsoid", for which the conditions are exact, or "box", for which they are necessary but not sufficient.
     centre
-        Its centre, seen from the face centre: along x, y and z [m].
+        Its centre relative to the face centre: x, y and z [m].
     size
-        From face to back, from sole to crown, from heel to toe [m].
+        Face to back, sole to crown, heel to toe [m].
     """
 
     shape: str
@@ -124,17 +123,17 @@ class Volume:
                 raise InputError("size", units.show(each, "mm"), f"above 0 along {axis}")
 
     def forms(self) -> tuple[QuadraticForm, ...]:
-        """Return the conditions that mass within it meets."""
+        """Return the conditions that mass inside it meets."""
         return tuple(QuadraticForm(words, np.array(matrix)) for words, matrix in core.volume_forms(self.space))
 
     @property
     def space(self) -> core.Space:
-        """What the core takes."""
+        """Shape, centre and size, as the core takes them."""
         return self.shape, self.centre, self.size
 
     @property
     def frame(self) -> Floats:
-        """Map from parts of the way to the surface to places seen from the face centre, shape (4, 4)."""
+        """Affine map, shape (4, 4), from coordinates scaled to -1..1 to positions relative to the face centre [m]."""
         result = np.eye(4)
         result[:3, :3] = np.diag(0.5 * np.array(self.size))
         result[:3, 3] = self.centre
@@ -142,26 +141,25 @@ class Volume:
 
     @property
     def cubic(self) -> float:
-        """Its volume [m3]."""
+        """Volume [m3]."""
         return float(np.prod(self.size)) * (np.pi / 6.0 if self.shape == "ellipsoid" else 1.0)
 
 
 SPIRAL = 400
-"""Directions in which the room inside a mesh is looked at."""
+"""Number of directions in which the room inside a mesh is measured."""
 WALL = 1e-3
-"""How far inside the surface of a mesh a mass lies at least [m]."""
+"""Minimum distance of placed mass from the surface of a mesh [m]."""
 
 
 def room_inside(places: Floats, volume: Volume) -> Volume:
-    """Return the largest ellipsoid along the axes inside the convex hull of places, shape (n, 3), and in a volume.
+    """Return the largest axis-aligned ellipsoid inside the convex hull of points, shape (n, 3), and inside a volume.
 
-    Masses in an ellipsoid have every distribution of moments that its conditions allow, so what is found for it can be
-    built inside the mesh. Of a hull there are no such conditions. It is an ``InputError`` where there is no room in
-    both.
+    The conditions of an ellipsoid are sufficient, so a solution for it can be built inside the mesh; a hull has no such
+    conditions. Raises an ``InputError`` if hull and volume have no room in common.
     """
     from scipy.optimize import minimize
 
-    # A spiral from pole to pole spreads directions evenly; among them are those of the axes.
+    # A spiral from pole to pole gives evenly spread directions; the axes are added.
     number = np.arange(SPIRAL) + 0.5
     height, turn = 1.0 - 2.0 * number / SPIRAL, np.pi * (1.0 + 5.0**0.5) * number
     ring = np.sqrt(1.0 - height**2)
@@ -178,7 +176,7 @@ def room_inside(places: Floats, volume: Volume) -> Volume:
         raise InputError("head.centre", None, f"where the mesh of the club is, such as [{middle}]")
 
     def left(numbers: Floats) -> Floats:
-        """Return the room in each direction, in parts of the size."""
+        """Return the room left in each direction, relative to the size."""
         return (most - normals @ numbers[:3] * size - np.linalg.norm(normals * numbers[3:] * size, axis=1)) / size
 
     def slopes(numbers: Floats) -> Floats:
@@ -198,16 +196,16 @@ def room_inside(places: Floats, volume: Volume) -> Volume:
 
 
 class Margin(NamedTuple):
-    """One condition that a head meets or misses.
+    """One condition on a head.
 
     Attributes
     ----------
     name
-        What must be positive: of the head or of the discretionary mass.
+        Quantity of the head or of the discretionary mass that must be positive.
     value
-        How much it is, without a unit; below 0 no such body exists.
+        Its value, dimensionless; if negative, no such body exists.
     reason
-        What is wrong where it is below 0.
+        What is wrong if it is negative.
     """
 
     name: str
@@ -216,24 +214,24 @@ class Margin(NamedTuple):
 
     @property
     def met(self) -> bool:
-        """Whether it is met, but for rounding."""
+        """Whether the condition is met, within rounding."""
         return self.value >= -ROUNDING
 
 
 @dataclass(frozen=True, kw_only=True)
 class Envelope:
-    """What a head may be: a volume, a fixed shell in it, and mass that may be placed in it.
+    """Limits on a head: a volume, a fixed shell in it, and a budget of discretionary mass.
 
     Attributes
     ----------
     volume
-        Where mass may be.
+        Where discretionary mass may be placed.
     shell
-        Pseudo-inertia of what cannot be moved, shape (4, 4).
+        Pseudo-inertia of the mass that cannot be moved, shape (4, 4).
     budget
-        The most mass that may be placed freely [kg].
+        Maximum discretionary mass [kg].
     whole
-        Where the whole head is; None where that is the same.
+        The volume of the whole head; None if it is ``volume``.
     """
 
     volume: Volume
@@ -242,24 +240,24 @@ class Envelope:
     whole: Volume | None = None
 
     def placed(self, pseudo: Floats) -> Floats:
-        """Return the pseudo-inertia of the mass that is placed freely in a head."""
+        """Return the pseudo-inertia of a head's discretionary mass."""
         return pseudo - self.shell
 
     @property
     def scale(self) -> Floats:
-        """Factors of rows and columns that make the moments of the discretionary mass numbers near 1, shape (4,)."""
+        """Row and column factors that scale the moments of the discretionary mass to about 1, shape (4,)."""
         return np.array([*(2.0 / np.array(self.volume.size)), 1.0]) / np.sqrt(self.budget)
 
     def margins(self, pseudo: Floats) -> list[Margin]:
-        """Return all conditions on a head with this pseudo-inertia, besides the whole head's."""
+        """Return all conditions on a head with this pseudo-inertia."""
         whole = (self.whole or self.volume).space
         margins = core.head_margins(self.volume.space, whole, self.shell.tolist(), self.budget, pseudo.tolist())
         return [Margin(*each) for each in margins]
 
 
 def refuse_impossible(name: str, envelope: Envelope, values: Floats) -> None:
-    """Refuse mass properties (in the order of ``MASS_PROPERTIES``) that no body in an envelope has, with the reason."""
-    # Walls of a mesh lie outside the room for masses in it: as it is now it may be anywhere in the head.
+    """Raise an error, with the reason, if no body in an envelope has these values of ``MASS_PROPERTIES``."""
+    # The walls of a mesh lie outside the room for placed mass, so the present head may use all of its volume.
     now = replace(envelope, volume=envelope.whole or envelope.volume)
     missed = [each for each in now.margins(pseudo_inertia(values)) if not each.met]
     if missed:
@@ -268,9 +266,9 @@ def refuse_impossible(name: str, envelope: Envelope, values: Floats) -> None:
 
 
 DRIVER = Volume(shape="box", centre=(-0.055, -0.001, 0.003), size=(0.115, 0.062, 0.124))
-"""Of a driver at the limit of the rules."""
+"""Box of a driver at the volume limit of the rules."""
 IRON = Volume(shape="box", centre=(-0.00661, -0.00069, 0.0), size=(0.03454, 0.05613, 0.078))
-"""Around the mesh of the built-in head 7-iron."""
+"""Bounding box of the mesh of the built-in head 7-iron."""
 
 
 def _length(name: str, label: str, meaning: str) -> Quantity:
@@ -287,14 +285,14 @@ QUANTITIES = (
         meaning="mass that may be placed anywhere in the head; the rest is shell",
     ),
 )  # fmt: skip
-"""What a space is described by."""
+"""Quantities that describe a space."""
 
 
 class Space(NamedTuple):
-    """What a head may be, if nothing else is known of it, and where all of it comes from.
+    """Assumed space of a head about which nothing else is known.
 
-    ``volume`` is where its mass may be, ``displaced`` its volume as the rules measure it [m3], or None, and ``free``
-    the mass that may be placed freely [kg].
+    ``volume`` contains its mass, ``displaced`` is its volume as the rules measure it [m3] or None, ``free`` the
+    discretionary mass [kg], and ``origin`` says where these come from.
     """
 
     volume: Volume
