@@ -47,7 +47,7 @@ def test_a_ball_whose_file_writes_its_law_as_an_energy_is_the_same_ball(tmp_path
         (RIVLIN.replace("(I2-3)", "(I2-1)"), 9, "zero at rest"),
         (RIVLIN.replace("c10", "poisson"), 9, "poisson is another key"),
         (RIVLIN.replace("c01", "c02"), 11, "unknown key 'c01'"),
-        (RIVLIN + 'law = "ogden"\n', 10, "leave it out, since the energy is given"),
+        (RIVLIN + 'law = "ogden"\n', 10, "leave it out"),
         (RIVLIN.replace("c01*(I2-3)", "c10*(exp(c01*(I2-3))-1)"), 11, "c01"),
         (RIVLIN.replace("+ c01", "- 5*c01"), 9, "stiff at rest"),
         ("", None, "give a law"),
@@ -99,7 +99,7 @@ def test_values_of_an_energy():
 
 
 def test_an_energy_that_softens_is_warned_of():
-    with pytest.warns(ImplausibleWarning, match="gains no more stress"):
+    with pytest.warns(ImplausibleWarning, match="at a stretch of"):
         rubber(c10="4 MPa", c20="-0.9 MPa")
     with pytest.warns(ImplausibleWarning, match="is not a number"):
         rubber("-mu/2*limit*log(1 - (I1-3)/limit)", mu="10 MPa", limit=0.7)

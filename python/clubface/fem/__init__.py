@@ -1,4 +1,4 @@
-"""Explicit finite elements: a meshed ball against a rigid plane or a clubhead, from first touch to launch.
+"""Explicit finite elements: a meshed ball strikes a rigid plane or a clubhead, from first touch to launch.
 
 A :class:`Ball` is made of pieces, each of a :class:`Material`; :func:`ball` reads one by name or from TOML.
 :func:`strike` hits it with a club and :func:`throw` throws it at a rigid plane. Both return an :class:`Impact` with
@@ -45,7 +45,7 @@ _MODULES = (
 
 
 def __getattr__(name: str) -> ModuleType:
-    """Import the modules that not every user needs when they are first named."""
+    """Import the less common modules on first use."""
     if name in (*_MODULES, "face_map", "vtu"):  # the last two have moved
         return import_module(f"clubface.fem.{name}")
     raise AttributeError(f"module 'clubface.fem' has no attribute {name!r}")

@@ -1,4 +1,4 @@
-"""The finite elements as an impact model: shots in, launches out, as for every other model."""
+"""The impact model ``fem``: finite elements behind the interface shared by all impact models."""
 
 from __future__ import annotations
 
@@ -36,20 +36,20 @@ HOW = Settings(until_separation=True)
 
 
 class FiniteElements:
-    """A shot at a time, each on as many threads as are asked for."""
+    """Run shots one after another, each on the requested number of threads."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
-        """Return the meshed ball that is ``given``, as for :func:`clubface.fem.ball`, and the same as a rigid ball.
+        """Return the meshed ball for ``given``, as for :func:`clubface.fem.ball`, and the equivalent rigid ball.
 
-        An accuracy is refused: the mesh sets it.
+        Raises InputError if an accuracy is given: the mesh determines it.
         """
         if accuracy is not None:
-            raise InputError("accuracy", accuracy, "leave it out for fem, whose accuracy is that of the mesh")
+            raise InputError("accuracy", accuracy, "leave it out; the accuracy of fem depends on the mesh")
         made = ball(given)
         return Balls(made, made.rigid)
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
-        """Run shot after shot; one that ends early has no launch."""
+        """Run the shots one by one; a shot that ends early has no launch."""
         (friction,) = shots.parameters
         head, how = mesh_of(shots.club), replace(HOW, threads=shots.threads)
         launches = np.full((len(outputs()), shots.size), np.nan)
@@ -72,7 +72,7 @@ class FiniteElements:
         return launches, problems
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Run the shot again and keep its forces on the ball [s, N]."""
+        """Run the shot again and return the times [s] and forces on the ball [N]."""
         made, _ = self.balls(launch.ball, None)
         friction = launch.parameters.values["friction"]
         run = strike(launch.club, delivery, ball=made, friction=friction, settings=HOW)
@@ -81,7 +81,7 @@ class FiniteElements:
         return {"time": time, "normal_force": normal, "force_y": -tangential, "force_z": toe}
 
     def notes(self) -> Sequence[Note]:
-        """Return what bounds the error of every launch."""
+        """Return the note on the error of a launch."""
         return (error_note(),)
 
 

@@ -1,4 +1,4 @@
-"""Balls made of pieces, from TOML, from code or built in: checks, masses and nodes."""
+"""Finite element balls: made of pieces, built in or defined in TOML or code."""
 
 from __future__ import annotations
 
@@ -47,13 +47,13 @@ class Piece:
     Attributes
     ----------
     name
-        Its name in tables and messages.
+        Name shown in tables and messages.
     material
         Its material.
     layers
-        Number of element layers through it; for the core, between the inner cube and the surface of the core.
+        Number of element layers through the thickness; for the core, between its inner cube and its surface.
     thickness
-        Thickness [m]; None for the core, which fills what the layers leave.
+        Thickness [m]; None for the core, which fills the rest of the ball.
     """
 
     name: str
@@ -71,8 +71,8 @@ class Piece:
             object.__setattr__(self, "thickness", value)
 
 
-def _made_piece(values: dict[str, Any], place: Place) -> Piece:
-    """Return the piece of a table [[pieces]], whose constants are those of its law or its energy."""
+def _make_piece(values: dict[str, Any], place: Place) -> Piece:
+    """Return the piece of a table [[pieces]]; its constants are those of its law or energy."""
     names = {name for law in laws().values() for name in law.constants}
     if "energy" in values:
         names = {*names, *Energy.read(values["energy"]).constants}
@@ -91,7 +91,7 @@ def _made_piece(values: dict[str, Any], place: Place) -> Piece:
 
 
 def _piece_keys() -> Mapping[str, Value]:
-    """Return the keys of [[pieces]]."""
+    """Return the keys of [[pieces]] and their types."""
     constants = {name: each for law in builtin_laws().values() for name, each in law.constants.items()}
     return {
         "name": NAME, "layers": LAYERS, "thickness": THICKNESS, "law": Choice(lambda: tuple(laws())),
@@ -103,7 +103,7 @@ def _piece_keys() -> Mapping[str, Value]:
 
 @dataclass(repr=False, eq=False)
 class PieceRecord(Record):
-    """The kind of one of [[pieces]]: the constants of an energy or of a law of one's own have names of their own."""
+    """Type of a table in [[pieces]]; the names of constants depend on its energy or user-defined law."""
 
     def read(self, given: Any, place: Place) -> Any:
         if not isinstance(given, Mapping):
@@ -114,10 +114,10 @@ class PieceRecord(Record):
                 taken = [name for name in Energy.read(text).constants if name in NOT_CONSTANTS]
                 if taken:
                     raise at.invalid(text, f"one whose constants have names of their own; {taken[0]} is another key")
-        return Record(self.kinds_of(given), self.required, make=self.make).read(given, place)
+        return Record(self.key_types(given), self.required, make=self.make).read(given, place)
 
-    def kinds_of(self, given: Mapping[str, Any]) -> Mapping[str, Value]:
-        """Return the kinds of the keys of a piece, the constants of its energy or law among them."""
+    def key_types(self, given: Mapping[str, Any]) -> Mapping[str, Value]:
+        """Return the types of a piece's keys, including the constants of its energy or law."""
         law = given.get("law")
         if isinstance(given.get("energy"), str):
             dimensions = Energy.read(given["energy"]).dimensions
@@ -129,20 +129,20 @@ class PieceRecord(Record):
             name: CONSTANT if dimension is None else PhysicalValue(units.SI_UNITS[dimension])
             for name, dimension in dimensions.items()
         }
-        # Those of laws are no constants of this piece.
+        # The constants of other laws are not allowed here.
         return {name: kind for name, kind in self.keys().items() if name in NOT_CONSTANTS} | kinds
 
     def json(self) -> dict[str, Any]:
-        # The names of an energy's constants are whatever it calls them.
+        # An energy may use any names for its constants.
         return super().json() | {"additionalProperties": CONSTANT.json()}
 
 
-PIECE = PieceRecord(_piece_keys, ("name", "layers", "poisson"), make=_made_piece)
-"""The kind of one of [[pieces]]."""
+PIECE = PieceRecord(_piece_keys, ("name", "layers", "poisson"), make=_make_piece)
+"""Type of a table in [[pieces]]."""
 
 
 FRICTION = 0.35
-"""Friction of a ball whose file gives none; measurements are 0.3 to 0.4."""
+"""Default friction coefficient of a ball; measured values are 0.3 to 0.4."""
 MAX_PIECES = 5
 ELEMENTS = ("one-point", "full")
 
@@ -151,28 +151,30 @@ ELEMENTS = ("one-point", "full")
 class Ball(Described):
     """A ball for finite elements, in SI units.
 
-    The core takes the density that gives the ball its mass; with None it keeps the density of its material. Elements
-    are "one-point" (with hourglass control) or "full" (eight integration points, one pressure).
+    If ``mass`` is given, the density of the core follows from it; otherwise the core has the density of its material.
+    Elements are "one-point" (with hourglass control) or "full" (eight integration points, one pressure).
     """
 
-    name: str = file_key(NAME, "its name in tables")
+    name: str = file_key(NAME, "name shown in tables")
     description: str = file_key(TEXT, "one sentence, or more if the ball was fitted to something", default="")
     diameter: float = file_key(PhysicalValue("mm", 10, 200), "diameter", multiples={"radius": 2.0}, example="42.67 mm")
     mass: float | None = file_key(PhysicalValue("g", 1, 1000), "mass, which sets the density of the core", default=None)
     cube: int = file_key(
-        Simple("an even whole number from 2 to 96, so that a node stands where ball and face first touch",
+        Simple("an even whole number from 2 to 96, so that a node lies at the point of first touch",
                lambda value: is_count(value, 2, 96) and value % 2 == 0, {"type": "integer", "multipleOf": 2}),
         "elements along an edge of the cube inside the core; the sphere has 6 cube^2 elements around it", default=12,
     )  # fmt: skip
-    element: str = file_key(Choice(ELEMENTS), "kind of the elements", default="one-point")
-    friction: float = file_key(COVER_FRICTION, "between cover and face, where none is given to a run", default=FRICTION)
+    element: str = file_key(Choice(ELEMENTS), "kind of elements", default="one-point")
+    friction: float = file_key(
+        COVER_FRICTION, "coefficient between cover and face, unless the run gives its own", default=FRICTION
+    )
     pieces: tuple[Piece, ...] = file_key(
         Tables(PIECE, least=1, most=MAX_PIECES), "core and layers, from the inside out"
     )
 
     def __post_init__(self) -> None:
         if isinstance(self.pieces, str) or not all(isinstance(piece, Piece) for piece in self.pieces):
-            raise InputError("pieces", self.pieces, "Pieces, from the inside out")
+            raise InputError("pieces", self.pieces, "a sequence of Pieces, from the inside out")
         object.__setattr__(self, "pieces", tuple(self.pieces))
         check_values(self)
         names = [piece.name for piece in self.pieces]
@@ -182,14 +184,14 @@ class Ball(Described):
             raise InputError("pieces", len(self.pieces), f"1 to {MAX_PIECES}")
         core, *around = self.pieces
         if core.thickness is not None:
-            allowed = "leave it out: the core fills what the other pieces leave"
+            allowed = "leave it out; the core fills the space inside the other pieces"
             raise InputError("thickness of the core", units.show(core.thickness, "mm"), allowed)
         if core.material.density is None and self.mass is None:
             raise InputError("mass", None, "give it, or the density of the core")
         for piece in around:
             if piece.thickness is None or piece.material.density is None:
                 missing = "thickness" if piece.thickness is None else "density"
-                raise InputError(f"{missing} of {piece.name}", None, "give it; only the core may do without")
+                raise InputError(f"{missing} of {piece.name}", None, "give it; only the core may omit it")
         volumes = [4.0 / 3.0 * math.pi * radius**3 for radius in self.radii()]
         if self.mass is None:
             return
@@ -199,7 +201,7 @@ class Ball(Described):
         )
         density = (self.mass - around) / volumes[0]
         if not 10.0 <= density <= 30e3:
-            allowed = f"such that the core has 10 to 30000 kg/m3; the layers around it leave it {density:.0f} kg/m3"
+            allowed = f"such that the core has 10 to 30000 kg/m3; with these layers it would have {density:.0f} kg/m3"
             raise InputError("mass", units.show(self.mass, "g"), allowed)
 
     def radii(self) -> list[float]:
@@ -218,13 +220,13 @@ class Ball(Described):
         return self.cube**3 + 6 * self.cube**2 * sum(piece.layers for piece in self.pieces)
 
     def refined(self, times: int) -> Ball:
-        """Return the ball with ``times`` as many elements along every edge."""
+        """Return the ball with ``times`` as many elements along every edge, 1 to 8."""
         check_count("refine", times, 1, 8)
         pieces = tuple(replace(piece, layers=piece.layers * times) for piece in self.pieces)
         return replace(self, cube=self.cube * times, pieces=pieces)
 
     def properties(self) -> Mapping[str, float]:
-        """Return what was meshed: mass [kg], inertia [kg m2], core density [kg/m3], radius [m], nodes, elements."""
+        """Return mesh properties: mass [kg], inertia [kg m2], core density [kg/m3], radius [m], nodes, elements."""
         return dict(self._meshed)
 
     @cached_property
@@ -233,17 +235,17 @@ class Ball(Described):
 
     @cached_property
     def mesh(self) -> Mapping[str, Any]:
-        """The mesh: nodes [m], elements, the piece of each element, the density of each piece [kg/m3]."""
+        """The mesh: nodes [m], elements, piece of each element, density of each piece [kg/m3]."""
         return core.fem_mesh(self.values())
 
     def to_result(self) -> Result:
-        """Return the meshed ball compared with what was asked for and the rules."""
+        """Return the meshed ball, compared with its specification and the rules, as a result."""
         from clubface.fem.impact_result import ball_result
 
         return ball_result(self)
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the ball in the core's format."""
         pieces = []
         for piece, radius in zip(self.pieces, self.radii(), strict=True):
             made = piece.material
@@ -258,7 +260,7 @@ class Ball(Described):
 
     @cached_property
     def rigid(self) -> RigidBall:
-        """The ball as the other models see it: mass, radius and inertia of the mesh."""
+        """The equivalent rigid ball for the other models: mass, radius and inertia of the mesh."""
         meshed = self.properties()
         with without_warnings():
             return RigidBall(
@@ -268,22 +270,22 @@ class Ball(Described):
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Ball:
-        """Read a ball from a TOML file; every error names file and line."""
+        """Read a ball from a TOML file; errors name the file and line."""
         return from_document(Document.read(path))
 
 
 def friction_of(given: Any, ball: Ball) -> float:
-    """Return the coefficient of friction that was given, checked, or that of the ball."""
+    """Return the given coefficient of friction, checked, or the ball's if None."""
     return ball.friction if given is None else COVER_FRICTION.read(given, Place(name="friction"))
 
 
 def ball_names() -> tuple[str, ...]:
-    """Return the names of the balls of pieces that come with clubface."""
+    """Return the names of the built-in balls that are made of pieces."""
     return tuple(name for name in all_names() if "pieces" in Document.read(builtin_path("ball", name, FOLDER)).data)
 
 
 def ball(source: str | os.PathLike[str] | Ball | RigidBall | None = None) -> Ball:
-    """Return a built-in ball of pieces by name, or read one from a TOML file; without a name it is ``DEFAULT_BALL``.
+    """Return a ball for finite elements: a built-in one by name, or one from a TOML file; default ``DEFAULT_BALL``.
 
     A :class:`clubface.Ball` made of pieces is meshed with its own mass and radius.
     """
@@ -317,22 +319,22 @@ def _of_rigid(given: RigidBall) -> Ball:
 
 
 def _no_pieces(name: object) -> InputError:
-    allowed = f"one that is described by its pieces, for fem: {', '.join(ball_names())}; or leave fem out of the models"
+    allowed = f"for fem, one made of pieces ({', '.join(ball_names())}); or leave fem out of the models"
     return InputError("ball", name, allowed)
 
 
-# The inertia here is that of the pieces; the other keys are of the other models.
+# Finite elements take the inertia from the pieces; the other keys are for the other models.
 PIECES_FILE = Table(Ball, {name: entries(RigidBall)[name].value for name in ("inertia", "parameters", "sources")})
-"""The kind of file of a ball made of pieces."""
+"""File format of a ball made of pieces."""
 
 
 def from_document(document: Document) -> Ball:
-    """Read the ball a TOML document describes."""
+    """Read the ball described by a TOML document."""
     return PIECES_FILE.read(document.data, Place(document))
 
 
 def node_masses(mesh: Mapping[str, Any]) -> NDArray[Any]:
-    """Return each node's share of the mass of a ball's mesh, from elements taken as parallelepipeds."""
+    """Return each node's fraction of the ball's mass, with elements treated as parallelepipeds."""
     nodes, elements = mesh["nodes"], mesh["elements"].astype(int)
     mass = element_masses(nodes, elements, np.asarray(mesh["density"])[mesh["piece"]])
     shares = sums_at_nodes(elements, mass / 8.0, len(nodes))

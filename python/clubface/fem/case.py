@@ -1,4 +1,4 @@
-"""Cases: ball, head, delivery and settings in one TOML file, so that a run can be repeated and varied."""
+"""Finite element cases: ball, head, delivery and settings in one TOML file, for repeatable and varied runs."""
 
 from __future__ import annotations
 
@@ -36,25 +36,25 @@ DELIVERED = DELIVERY_QUANTITIES | {"angle": PhysicalValue("deg")}
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A case: which ball meets which head, how, and with which settings.
+    """A finite element case: ball, head, delivery and settings.
 
     Attributes
     ----------
     name, description
-        Name and description for tables.
+        Name and description shown in tables.
     ball
         The ball.
     head
-        "plane" (rigid and at rest), "rigid" (the head of ``club``) or "meshed". In a file, a rigid head may name a
-        meshed one (``meshed``) instead of a club; it then has the mass, CG, inertia and face of that head.
+        "plane" (rigid, at rest), "rigid" (the head of ``club``) or "meshed". In a file, a rigid head may name a meshed
+        head (``meshed``) in place of a club; it then has that head's mass, CG, inertia and face.
     club
-        For a head: a club, or a meshed head.
+        A club for a rigid head, a meshed head for a meshed one, None for a plane.
     delivery
         Delivery of the head, as for :func:`clubface.impact`; for a plane, ``speed`` and ``angle`` of the ball.
     friction
         Coefficient of Coulomb friction; default: the ball's.
     settings
-        How to run the case.
+        Settings of the run.
     """
 
     name: str
@@ -84,16 +84,16 @@ class Case:
             throw_values(self.delivery["speed"], self.delivery.get("angle", 0.0))
             return
         if self.club is None:
-            raise InputError("club", None, f"give the club, which a head of kind {self.head} needs")
+            raise InputError("club", None, f"give the club; a {self.head} head needs one")
         if isinstance(self.club, MeshedHead) != (self.head == MESHED):
             raise InputError("club", self.club.name, "a meshed head" if self.head == MESHED else "a club")
-        # A reduced model refuses what no model can compute, such as a face that moves away from the ball.
+        # The rigid-body model rejects deliveries that no model can compute, such as a face moving away from the ball.
         rigid = self.club.club if isinstance(self.club, MeshedHead) else self.club
         with without_warnings(RangeWarning):
             impact(rigid, self.delivery, ball=self.ball.rigid)
 
     def replace(self, *, settings: Mapping[str, Any] | None = None, **changes: Any) -> Case:
-        """Return the case with values of the delivery, the ball, the friction or the settings changed."""
+        """Return a copy with changed delivery, ball, club, friction or settings."""
         fields = {key: changes.pop(key) for key in ("ball", "friction", "club") if key in changes}
         return replace(
             self,
@@ -103,7 +103,7 @@ class Case:
         )
 
     def run(self, progress: Progress | None = None) -> Impact:
-        """Run the case."""
+        """Run the case and return the impact."""
         if self.head == PLANE:
             return throw(self.ball, friction=self.friction, settings=self.settings, progress=progress, **self.delivery)
         assert self.club is not None
@@ -113,29 +113,29 @@ class Case:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
-        """Read a case from a TOML file; balls and clubs that it names by path are looked for next to it."""
+        """Read a case from a TOML file; paths of balls and clubs in it are relative to the file."""
         return from_document(Document.read(path))
 
 
 def delivery_keys(head: str) -> tuple[str, ...]:
-    """Return the names of the values of a delivery."""
+    """Return the names of the delivery values for a kind of head."""
     return PLANE_KEYS if head == PLANE else tuple(DIMENSIONS)
 
 
 def case_names() -> tuple[str, ...]:
-    """Return the names of the cases that come with clubface."""
+    """Return the names of the built-in cases."""
     return builtin_names(FOLDER)
 
 
 def case(source: str | os.PathLike[str] | Case) -> Case:
-    """Return a built-in case by name, or read one from a TOML file."""
+    """Return a case: a built-in one by name, one from a TOML file, or ``source`` if it is a case already."""
     if isinstance(source, Case):
         return source
     return Case.from_toml(path_of("case of finite elements", source, FOLDER))
 
 
-def _made_head(values: dict[str, str], place: Place) -> tuple[str, Club | MeshedHead | None]:
-    """Return the kind of head of a case, and the club or the meshed head that it names."""
+def _make_head(values: dict[str, str], place: Place) -> tuple[str, Club | MeshedHead | None]:
+    """Return the kind of head, and the club or meshed head that the file names."""
     kind, key = values["kind"], "meshed" if "meshed" in values else "club"
     with (at := place.key(key)).errors():
         if key == "club":
@@ -145,33 +145,33 @@ def _made_head(values: dict[str, str], place: Place) -> tuple[str, Club | Meshed
             allowed = f'leave it out of a head of kind {kind}, or set kind = "{RIGID}"'
             raise InputError("meshed", values["meshed"], allowed)
         if "club" in values:
-            raise InputError("meshed", values["meshed"], "left out: give club or meshed, not both")
+            raise InputError("meshed", values["meshed"], "left out; give club or meshed, not both")
         return kind, Reference(head).read(values["meshed"], at).club
 
 
-_HEAD = Record({"kind": Choice(HEADS, "kind of head"), "club": TEXT, "meshed": TEXT}, ("kind",), make=_made_head)
+_HEAD = Record({"kind": Choice(HEADS, "kind of head"), "club": TEXT, "meshed": TEXT}, ("kind",), make=_make_head)
 
 
 @dataclass(frozen=True, kw_only=True)
 class CaseFile:
-    """A file of a case."""
+    """Keys of a case file."""
 
-    name: str = file_key(NAME, "its name in tables")
+    name: str = file_key(NAME, "name shown in tables")
     description: str = file_key(TEXT, "one sentence", default="")
-    ball: Ball = file_key(Reference(ball), "the ball, made of pieces")
-    friction: float = file_key(Unread(COVER_FRICTION), "Coulomb friction; default: the ball's", default=None)
-    head: tuple[str, Any] = file_key(
-        _HEAD, 'what the ball meets: "plane", the head of a "rigid" `club`, or a "meshed" one'
+    ball: Ball = file_key(Reference(ball), "ball made of pieces")
+    friction: float = file_key(
+        Unread(COVER_FRICTION), "coefficient of Coulomb friction; default: the ball's", default=None
     )
+    head: tuple[str, Any] = file_key(_HEAD, 'what the ball strikes: "plane", "rigid" (the head of `club`) or "meshed"')
     delivery: Mapping[str, Any] = file_key(
         Record({key: Unread(each) for key, each in DELIVERED.items()}, ("speed",)),
         "delivery of the head; for a plane `speed` and `angle` of the ball",
     )
-    run: Settings = file_key(Table(Settings), "how to run the case", default_factory=Settings)
+    run: Settings = file_key(Table(Settings), "settings of the run", default_factory=Settings)
 
 
 def from_document(document: Document) -> Case:
-    """Read the case a TOML document describes."""
+    """Read the case described by a TOML document."""
     file = decode(CaseFile, document)
     kind, chosen = file.head
     with Place(document).errors():

@@ -1,4 +1,4 @@
-"""Calls of the compiled core of the finite elements, with its errors translated and Ctrl-C at any time."""
+"""Calls into the compiled finite element core: errors are translated, and Ctrl-C works at any time."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ from clubface.errors import ShotError
 T = TypeVar("T")
 
 THE_RUN = "the run"
-"""What is at fault where no input is."""
+"""Named in errors that no input causes."""
 
 Progress = Callable[[float, float], object]
 """Called with simulated time and duration [s]."""
 
 
 def core_call(function: Callable[..., T], *arguments: Any, progress: Progress | None = None) -> T:
-    """Call the core in a second thread, so that Ctrl-C ends the impact at once and keeps what it has."""
+    """Call the core in a second thread, so that Ctrl-C stops the run at once and keeps the results so far."""
     stop = threading.Event()
 
     def watch(time: float, whole: float) -> None:
@@ -67,19 +67,19 @@ def core_call(function: Callable[..., T], *arguments: Any, progress: Progress | 
                             raise
                         stop.set()
             finally:
-                # Nobody waits for a run that was left by a Ctrl-C elsewhere.
+                # Stop the run if the wait ended for any other reason, such as an exception.
                 stop.set()
 
 
 def in_thread(function: Callable[..., Any], *arguments: Any) -> Any:
-    """Call the core in a second thread; Ctrl-C ends the wait, but the core completes its result."""
+    """Call the core in a second thread; Ctrl-C ends the wait, while the core finishes its work."""
     with translated_errors(), ThreadPoolExecutor(1) as pool:
         return pool.submit(function, *arguments).result()
 
 
 @contextmanager
 def translated_errors() -> Iterator[None]:
-    """Turn an error of the core about an input, ``ValueError(name, value, allowed)``, into a :class:`ShotError`."""
+    """Translate an input error of the core, ``ValueError(name, value, allowed)``, into a :class:`ShotError`."""
     try:
         yield
     except ValueError as error:

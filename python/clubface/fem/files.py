@@ -1,4 +1,4 @@
-"""Deformed shapes over time as VTU files, with a collection that ParaView opens."""
+"""Export of deformed shapes over time as VTU files, with a collection that ParaView opens."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ __all__ = ["file_stem", "write_series"]
 
 COLLECTION = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
 PARAVIEW = [0, 1, 2, 3, 5, 4]
-"""Places of xx, yy, zz, xy, yz, xz among ours."""
+"""Indices of xx, yy, zz, xy, yz, xz (the order of ParaView) in our order of components."""
 
 
 def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> list[Path]:
-    """Write every kept shape as a VTU file, and a collection of them with their times.
+    """Write every recorded shape as a VTU file, and a collection that lists them with their times.
 
-    The axes are those of the world (x towards the target, y up, z to the right), with the origin at the clubhead's CG
-    at first touch; for a ball thrown at a plane, x is the normal of the plane. Lengths are in m and times in s. Points
-    carry ``displacement`` from the shape at first touch. Cells carry ``piece``: 0 for the core, then the other pieces
-    of the ball, then the parts of a meshed head; shells are quadrilaterals with their ``thickness`` [m] (0 for
-    solid elements). With fields, cells also carry ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy, yz, xz),
-    ``pressure``, ``von_mises`` [Pa] and ``plastic_strain``. Those of shells belong to the outer side;
-    ``von_mises_inner`` belongs to the inner side.
+    The axes are world axes (x towards the target, y up, z to the right) with the origin at the clubhead's CG at first
+    touch; for a ball thrown at a plane, x is the plane's normal. Lengths are in m, times in s. Points have a
+    ``displacement`` relative to the shape at first touch. Cells have ``piece``: 0 for the core of the ball, then its
+    other pieces, then the parts of a meshed head. Shells are quadrilaterals with a ``thickness`` [m] (0 for solid
+    elements). If the run recorded fields, cells also have ``stress`` [Pa] and ``strain`` (components xx, yy, zz, xy,
+    yz, xz), ``pressure``, ``von_mises`` [Pa] and ``plastic_strain``. Shells give the values of their outer side, and
+    ``von_mises_inner`` for the inner side.
 
     Parameters
     ----------
@@ -39,22 +39,22 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
     folder
         An existing folder.
     name
-        Start of the file names: ``<name>-0000.vtu`` and so on, and ``<name>.pvd``.
+        Prefix of the file names: ``<name>-0000.vtu`` and so on, and ``<name>.pvd``.
 
     Returns
     -------
     list
-        The files, the collection last.
+        The files written, the collection last.
 
     Raises
     ------
     InputError
-        The run kept no shapes.
+        The run recorded no shapes.
     """
     import meshlane
 
     if not len(impact.frames):
-        raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
+        raise InputError("frames", 0, "1 or more; set frames in the settings of the run")
     ball = impact.ball.mesh
     shapes = impact.world_positions()
     cells: list[Any] = [("hexahedron", np.asarray(ball["elements"], dtype=np.int32))]
@@ -87,7 +87,7 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
 
 
 def _cells(head: MeshedHead) -> list[tuple[str, Any, Any, Any]]:
-    """Return kind, nodes, part and thickness [m] of the elements of a head, by kind."""
+    """Return type, nodes, part and thickness [m] of the elements of a head, grouped by type."""
     if isinstance(head, ShellHead):
         return [("quad", head.quads, head.part_of_elements(), head.thickness)]
     assert isinstance(head, SolidHead)
@@ -97,7 +97,7 @@ def _cells(head: MeshedHead) -> list[tuple[str, Any, Any, Any]]:
 
 
 def _cell_stress(impact: Impact, frame: int, cells: list[int]) -> dict[str, list[Any]]:
-    """Return stress and strain of all cells in a frame, the ball's first, then the head's by numbers of ``cells``."""
+    """Return stress and strain of all cells in a frame: the ball's, then the head's in blocks of ``cells`` elements."""
     data: dict[str, list[Any]] = {}
     for fields in (impact.fields, impact.head_fields):
         if fields is None:
@@ -115,6 +115,6 @@ def _cell_stress(impact: Impact, frame: int, cells: list[int]) -> dict[str, list
 
 
 def file_stem(name: str) -> str:
-    """Return ``name`` with what a file name cannot hold replaced by a hyphen."""
+    """Return ``name`` with characters that file names cannot contain replaced by hyphens."""
     kept = "".join(letter if letter.isalnum() or letter in "-_ ." else "-" for letter in name).strip(" .")
     return kept[:100] or "case"

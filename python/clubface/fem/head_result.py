@@ -1,4 +1,4 @@
-"""A head as a result: mass, CG, inertia, how it was tuned, how it rebounds, and what it bears."""
+"""A meshed head as a result: mass properties, how targets were met, simulated tests, and strength."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from clubface.results.table import Column, Table, column, text
 __all__ = ["head_result"]
 
 OVER_MESHES = {"mesh_restitution": 0.002, "mesh_characteristic_time": 24e-6}
-"""Largest differences of the simulated tests between meshes of one driver: restitution, and time [s]. They are those of
-the table of triangles and quadrilaterals in docs/finite-elements/heads.md, which a test compares with them."""
+"""Largest differences of the simulated tests between meshes of one driver: restitution, and time [s]. They come from
+the table of triangles and quadrilaterals in docs/finite-elements/heads.md; a test compares the two."""
 SHOWN = ("mass", "cg_x", "cg_y", "cg_z", "cg_above", "ixx", "iyy", "izz")
 
 
@@ -34,11 +34,11 @@ def head_result(
     head
         The head.
     tests
-        Its restitution and characteristic time [s], by name, where they were measured.
+        Simulated restitution and characteristic time [s], by name.
     stress
-        The stress in an impact.
+        Stress in an impact.
     inputs
-        What tests and impact were given, in words: "impact_speed", "toe", "ball".
+        Inputs of the tests and the impact as text: "impact_speed", "toe", "ball".
     """
     asked = dict(head.asked) if isinstance(head, ShellHead) else {}
     measured, inputs = dict(tests or {}), dict(inputs or {})
@@ -130,7 +130,7 @@ def _summary(
 
 
 def _verdict(head: MeshedHead, measured: Mapping[str, float], inputs: Mapping[str, str]) -> Iterator[Note]:
-    """Yield the verdict of the rules on a simulated characteristic time, and the line that states it in a file."""
+    """Yield the ruling on a simulated characteristic time, and the line that gives this time in a file."""
     if (time := measured.get("characteristic_time")) is None:
         return
     limit = rules()["characteristic_time"]

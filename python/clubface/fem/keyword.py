@@ -1,4 +1,4 @@
-"""A case as a keyword deck in the format of LS-DYNA, which OpenRadioss reads too, to compare with other programs."""
+"""Export of a case as an LS-DYNA keyword deck, which OpenRadioss also reads, for comparison with other programs."""
 
 from __future__ import annotations
 
@@ -31,26 +31,26 @@ from clubface.support.files import write_text
 __all__ = ["write"]
 
 WIDTH = 10
-"""Characters of a field, but for nodes and elements."""
+"""Characters in a field, except for nodes and elements."""
 LONGEST = 80
-"""Characters of a line."""
+"""Maximum characters in a line."""
 BALL_SET = 1
-"""Number of the set of the parts of the ball."""
+"""Number of the part set that holds the ball."""
 
 
 class Cards:
-    """A deck as it is written: keywords, comments and cards, in order."""
+    """A deck under construction: keywords, comments and cards, in order."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
 
     def comment(self, *paragraphs: str) -> None:
-        """Add comments, wrapped; an empty one is a bare line."""
+        """Add comments, wrapped; an empty one gives a bare line."""
         for text in paragraphs:
             self.lines += [f"$ {line}" for line in textwrap.wrap(ascii_text(text), LONGEST - 2)] or ["$"]
 
     def keyword(self, name: str, *cards: Sequence[Any], names: str = "") -> None:
-        """Add a keyword with its cards; ``names`` are those of the fields of the first, for a comment."""
+        """Add a keyword with its cards; ``names`` label the fields of the first card in a comment."""
         self.lines.append(f"*{name}")
         if names:
             self.lines.append(("$#" + "".join(f"{each:>{WIDTH}}" for each in names.split())[2:])[:LONGEST])
@@ -58,21 +58,21 @@ class Cards:
             self.card(card)
 
     def card(self, fields: Sequence[Any]) -> None:
-        """Add a line of fields: numbers, None for a blank."""
+        """Add a line of numeric fields; None leaves a field blank."""
         self.lines.append("".join(field(value) for value in fields).rstrip() or " " * WIDTH)
 
     def text(self, text: str) -> None:
-        """Add a line of text, as of a title."""
+        """Add a line of text, such as a title."""
         self.lines.append(ascii_text(text)[:LONGEST])
 
     def nodes(self, places: Any, first: int = 1) -> None:
-        """Add nodes at places (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
+        """Add nodes (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
         self.keyword("NODE")
         for number, place in enumerate(places.tolist(), first):
             self.lines.append(eights(number) + "".join(f"{each:16.8e}" for each in place))
 
     def elements(self, kind: str, parts: Iterable[int], corners: Any, first: int = 1) -> int:
-        """Add elements, numbered from ``first``: the part and the nodes (n, k) of each; return the last number."""
+        """Add elements, numbered from ``first``, with the part and nodes (n, k) of each; return the last number."""
         self.keyword(f"ELEMENT_{kind}")
         for number, (part, nodes) in enumerate(zip(parts, corners.tolist(), strict=True), first):
             self.lines.append(eights(number, part, *nodes))
@@ -83,20 +83,20 @@ class Cards:
 
 
 def field(value: float | None, width: int = WIDTH) -> str:
-    """Write a number right-aligned in ``width`` characters, a float with as many digits as fit and at most nine."""
+    """Format a number right-aligned in ``width`` characters; floats keep as many digits as fit, at most nine."""
     if value is None:
         return " " * width
     if not math.isfinite(value):
-        raise ValueError(f"{value} cannot stand in a deck")
+        raise ValueError(f"{value} cannot be written to a deck")
     texts = iter([str(value)]) if isinstance(value, int) else _spellings(value)
     text = next((each for each in texts if len(each) <= width), str(value))
     if len(text) > width:
-        raise ValueError(f"{text} does not fit {width} characters")
+        raise ValueError(f"{text} does not fit into {width} characters")
     return text.rjust(width)
 
 
 def _spellings(value: float) -> Iterator[str]:
-    """Yield a float with nine digits and fewer, plain and with an exponent."""
+    """Yield spellings of a float with nine digits and fewer, plain and with an exponent."""
     for digits in range(9, 0, -1):
         text = f"{value:.{digits}g}"
         yield text if "e" in text or "." in text else text + ".0"
@@ -105,39 +105,39 @@ def _spellings(value: float) -> Iterator[str]:
 
 
 def ascii_text(text: str) -> str:
-    """Return ``text`` in the letters every reader of decks knows."""
+    """Return ``text`` in ASCII, which every deck reader accepts."""
     return text.encode("ascii", "replace").decode()
 
 
 def eights(*numbers: int) -> str:
-    """Return whole numbers in fields of eight characters, as nodes and elements have."""
+    """Return integers in fields of eight characters, as in cards of nodes and elements."""
     return "".join(f"{each:8d}" for each in numbers)
 
 
 MOTION = "id styp omega vx vy vz"
 HEAD_PART, HEAD_SECTION, HEAD_HOURGLASS = 101, 2, 2
 TEN_NODES = 16
-"""Formulation of ten-node tetrahedra."""
+"""LS-DYNA element formulation of ten-node tetrahedra."""
 USUAL_POINTS = 5
-"""Points through the thickness of a shell, unless its metal gives the number."""
+"""Points through the thickness of a shell, unless its metal sets the number."""
 STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON = 7850.0, 200e9, 0.3
-"""Material of the shells that carry the rigid face [kg/m3, Pa]: contact stiffness only; mass and inertia are given."""
+"""Material of the shells that form the rigid face [kg/m3, Pa]; used for contact stiffness only."""
 SHELL = 1e-3
-"""Thickness of these shells [m]."""
+"""Thickness of the rigid face's shells [m]."""
 FACE_ELEMENT = 2.5e-3
-"""Size of these shells [m]."""
+"""Size of the rigid face's shells [m]."""
 OF_DECK = (
     "toe", "high", "closure", "pitch_rate", "lie_rate", "ball_backspin", "ball_sidespin", "ball_riflespin",
 )  # fmt: skip
-"""Values of a delivery that make the motion in a deck; the velocity is that of the core."""
+"""Delivery values that determine rotations in the deck; the velocity comes from the core."""
 
 
 def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
-    """Write the head of a case behind a ball of so many ``nodes`` and ``elements``, and its contact with the ball."""
+    """Write the head and its contact with the ball, numbered after the ball's ``nodes`` and ``elements``."""
     assert case.club is not None
     club = case.club.club if isinstance(case.club, MeshedHead) else case.club
     touch = _first_touch(case, club)
-    if spin := math.hypot(*touch["ball_spin"]):  # of the ball about its centre
+    if spin := math.hypot(*touch["ball_spin"]):  # rotation of the ball about its centre
         axis = [case.ball.diameter / 2.0, 0.0, 0.0, *(each / spin for each in touch["ball_spin"])]
         deck.keyword("INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, spin, 0.0, 0.0, 0.0], axis, names=MOTION)
     if isinstance(case.club, MeshedHead):
@@ -161,7 +161,7 @@ def write_head(deck: Cards, case: Case, nodes: int, elements: int) -> None:
 
 
 def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
-    """Write mesh and parts of a head of shells; return the parts of its face, and the last element."""
+    """Write mesh and parts of a shell head; return the part numbers of its face and the last element number."""
     deck.keyword("HOURGLASS", [HEAD_HOURGLASS, 4, 0.05], names="hgid ihq qm")
     for number, part in enumerate(head.parts):
         section = HEAD_SECTION + number
@@ -177,14 +177,14 @@ def _shells(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements:
 
 
 def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: int) -> tuple[list[int], int]:
-    """Write mesh, parts and bonds of a solid head; return the parts of its face, and the last element."""
+    """Write mesh, parts and bonds of a solid head; return the part numbers of its face and the last element number."""
     if head.grooves is not None:
-        deck.comment("the grooves of the face are felt by the contact alone in clubface; this deck has a plain face")
+        deck.comment("in clubface, grooves act in the contact only; this deck has a plain face")
     blocks = [(part, corners) for part in head.parts for corners in (part.hexahedra, part.tetrahedra) if len(corners)]
     if any(len(part.tetrahedra) for part in head.parts):
         deck.keyword("SECTION_SOLID", [HEAD_SECTION, TEN_NODES], names="secid elform")
     for number, (part, corners) in enumerate(blocks, HEAD_PART):
-        # Section and hourglass control of hexahedra are those of the ball.
+        # Hexahedra share section and hourglass control with the ball.
         section, hourglass = (1, 1) if corners.shape[1] == 8 else (HEAD_SECTION, 0)
         name = head.name if len(blocks) == 1 else f"{head.name}: {part.name}"
         _part(deck, number, name, part.metal, section, hourglass)
@@ -215,7 +215,7 @@ def _solid(deck: Cards, head: Any, touch: dict[str, Any], nodes: int, elements: 
 
 
 def _section(deck: Cards, number: int, metal: Metal) -> None:
-    """Write the section of a part of shells, with the points that the metal asks for; any do for stress resultants."""
+    """Write the section of a shell part, with integration points as its metal needs; elastic shells can use any."""
     count, rule = metal.points or USUAL_POINTS, 0
     if metal.points is not None or (metal.yield_stress is not None and metal.rule != "gauss"):
         deck.keyword("INTEGRATION_SHELL", [number, count, 0], names="irid nip esop")
@@ -234,21 +234,21 @@ def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hour
     if metal.yield_stress is None:
         deck.keyword("MAT_ELASTIC", elastic, names="mid ro e pr")
         return
-    # A curve of its own takes the place of the tangent modulus.
+    # The load curve below replaces the tangent modulus.
     deck.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY", [*elastic, metal.yield_stress], [None], names="mid ro e pr sigy")
     for each in zip(*metal.curve(), strict=True):  # strains, then stresses
         deck.card(each)
 
 
 def _places(head: Any, touch: dict[str, Any]) -> NDArray[Any]:
-    """Return the nodes of a head [m] in the axes of the deck."""
+    """Return the nodes of a head [m] in the deck's axes."""
     return (head.nodes @ turn_to_sole(head.loft) - touch["point"]) @ np.asarray(touch["axes"]).T
 
 
 def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements: int) -> None:
-    """Write a rigid head: a mesh of its face for contact, its mass, inertia and motion as numbers."""
+    """Write a rigid head: a mesh of its face for contact, and mass, inertia and motion as numbers."""
     if club.characteristic_time:
-        deck.comment("the face of this club gives by a spring in clubface; this deck has a rigid face")
+        deck.comment("in clubface, the face of this club gives like a spring; this deck has a rigid face")
     deck.keyword("PART_INERTIA")
     deck.text(f"{club.name}: rigid")
     deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])
@@ -260,16 +260,16 @@ def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements:
         "MAT_RIGID", [HEAD_PART, STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON], [0.0], [None], names="mid ro e pr"
     )
     deck.keyword("SECTION_SHELL", [HEAD_SECTION, 2], [SHELL] * 4, names="secid elform")
-    deck.comment("The shells lie half their thickness behind the face, so that contact is on the face itself.")
+    deck.comment("The shells lie half their thickness behind the face, so that contact occurs on the face itself.")
     places, quads = _face_mesh(club)
     deck.nodes((places - touch["point"]) @ np.asarray(touch["axes"]).T, nodes + 1)
     deck.elements("SHELL", repeat(HEAD_PART, len(quads)), quads + nodes + 1, elements + 1)
 
 
 def _first_touch(case: Case, club: Club) -> dict[str, Any]:
-    """Return the head at first touch, in the axes of the deck, and ``axes`` and ``point`` in those of the face."""
+    """Return the head at first touch in deck axes, and these ``axes`` and their ``point`` in face axes."""
     coarse = replace(case.ball, cube=2, pieces=tuple(replace(piece, layers=1) for piece in case.ball.pieces))
-    # The core places ball and head; a run of two steps is the least that gives this.
+    # The core positions ball and head; the shortest possible run returns this.
     least = Settings(duration=1e-6, interval=1e-6, threads=1)
     touch = strike(club, case.delivery, ball=coarse, friction=case.friction, settings=least)
     axes, attitude = touch.axes, touch.attitude
@@ -292,7 +292,7 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
 
 
 def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return nodes [m] of the middle surface of the face's shells, face axes, and quadrangles, numbered from 0."""
+    """Return nodes [m] of the face shells' middle surface, in face axes, and quadrilaterals numbered from 0."""
     across, up = (max(8, round(size / FACE_ELEMENT)) for size in (club.face_width, club.face_height))
     places = []
     for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:
@@ -305,41 +305,40 @@ def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
 
 
 USUAL_SAFETY = 0.9
-"""Time step over the stable one where the case leaves it open: what other codes take."""
+"""Time step over the stable one if the case leaves it open: the usual value in other codes."""
 
 HEADER = (
     "Units: kg, m, s (N, Pa, J). Axes: x along the face normal at the point of first touch, y up the face, z to "
     "the toe; the origin is that point. A left-handed club appears as its mirror image.",
     "",
-    "What has no exact equivalent here:",
-    "- Solids have one point and assumed-strain hourglass control (type 6), close to that of clubface, not the same.",
-    "- Plastics are linear in logarithmic strain in clubface, hypoelastic here: alike to some 10% of strain.",
-    "- Rubber: the energy of *MAT_HYPERELASTIC_RUBBER is that of clubface; that of *MAT_OGDEN_RUBBER is but for the "
-    "volumetric term, K (J - 1 - ln J) there; *MAT_MOONEY-RIVLIN_RUBBER uses invariants "
-    "with the change of volume in them and another volumetric term, which nearly incompressible rubber hardly "
-    "notices.",
-    "- Viscous branches relax the stress of the elastic law in clubface, a stress linear in strain here: alike at "
+    "Differences from clubface:",
+    "- Solids have one point and assumed-strain hourglass control (type 6), close to clubface's but not identical.",
+    "- Plastics are linear in logarithmic strain in clubface, hypoelastic here: similar up to about 10% strain.",
+    "- Rubber: *MAT_HYPERELASTIC_RUBBER has the same energy as clubface; *MAT_OGDEN_RUBBER differs in the volumetric "
+    "term, K (J - 1 - ln J); *MAT_MOONEY-RIVLIN_RUBBER uses invariants that include the change of volume, and another "
+    "volumetric term; for nearly incompressible rubber the difference is small.",
+    "- Viscous branches relax the stress of the elastic law in clubface, a stress linear in strain here: similar at "
     "moderate strain.",
-    "- Friction of clubface sticks by tangential springs; a rigid wall has none.",
-    "- Shells of clubface have one point in their plane and physical hourglass stiffness; type 2 is near.",
-    "- Bulk viscosity is linear, and without a value in the case all but switched off; contact is by penalty.",
+    "- In clubface, friction sticks through tangential springs; a rigid wall has none.",
+    "- Shells in clubface have one point in their plane and physical hourglass stiffness; type 2 is close.",
+    "- Bulk viscosity is linear, and nearly switched off unless the case gives a value; contact uses penalties.",
 )
 
 
 def write(case: Case, path: str | os.PathLike[str]) -> Path:
-    """Write the keyword deck of a case.
+    """Write a case as a keyword deck.
 
     Parameters
     ----------
     case
-        Any case; its ball is meshed as clubface meshes it.
+        Any case; its ball has the same mesh as in clubface.
     path
-        The file, by custom with the ending ``.k``.
+        File to write, conventionally ending in ``.k``.
 
     Returns
     -------
     Path
-        The file.
+        The file written.
 
     Raises
     ------
@@ -366,7 +365,7 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
     deck.keyword("CONTROL_TERMINATION", [how.duration], names="endtim")
     deck.keyword("CONTROL_TIMESTEP", [0.0, how.safety or USUAL_SAFETY], names="dtinit tssfac")
     deck.keyword("CONTROL_ENERGY", [2, 2, 2, 2], names="hgen rwen slnten rylen")
-    # A zero would mean the default.
+    # Zero would select the default.
     deck.keyword("CONTROL_BULK_VISCOSITY", [1e-6, max(how.bulk_viscosity, 1e-6), 1], names="q1 q2 type")
     head_outputs = {PLANE: ("RWFORC",), RIGID: ("RCFORC", "RBDOUT"), MESHED: ("RCFORC",)}[head]
     for name in ("GLSTAT", "MATSUM", *head_outputs):
@@ -375,7 +374,7 @@ def _control(deck: Cards, how: Settings, head: str) -> None:
 
 
 def _ball(deck: Cards, ball: Ball) -> None:
-    """Write nodes, elements, parts and materials of the ball; it just touches the plane x = 0."""
+    """Write nodes, elements, parts and materials of the ball, which just touches the plane x = 0."""
     mesh = ball.mesh
     deck.keyword("SECTION_SOLID", [1, 1], names="secid elform")
     deck.keyword("HOURGLASS", [1, 6, 1.0], names="hgid ihq qm")
@@ -390,15 +389,15 @@ def _ball(deck: Cards, ball: Ball) -> None:
 
 
 def _material(deck: Cards, number: int, material: Material, density: float) -> None:
-    """Write a material by the card of its law that has viscoelastic branches, if there are any."""
+    """Write a material on the card that fits its law and, if it has any, its viscoelastic branches."""
     branches, constants, shear = material.maxwell, material.constants, material.shear
     prony = [[branch.modulus * shear, 1.0 / branch.time] for branch in branches]
     start, rubber = [number, density, material.poisson], [number, density, material.poisson, 0, len(branches)]
     if material.volumetric is not None:
-        raise InputError("volumetric", material.volumetric, "left out: LS-DYNA has a change of volume of its own")
+        raise InputError("volumetric", material.volumetric, "left out; LS-DYNA has its own volumetric terms")
     if material.energy is not None or material.law in REGISTERED:
         name = "law" if material.energy is None else "energy"
-        raise InputError(name, getattr(material, name), "a law that LS-DYNA has a card for, such as ogden")
+        raise InputError(name, getattr(material, name), "a law with an LS-DYNA card, such as ogden")
     if material.law == "ogden":
         terms = [[value for name, value in constants.items() if name.startswith(kind)] for kind in ("mu", "alpha")]
         deck.keyword("MAT_OGDEN_RUBBER", rubber, *terms, names="mid ro pr n nv")
@@ -430,5 +429,5 @@ def _plane(deck: Cards, case: Case) -> None:
     velocity = [-speed * math.cos(angle), speed * math.sin(angle), 0.0]
     deck.keyword("INITIAL_VELOCITY_GENERATION", [BALL_SET, 1, 0.0, *velocity], [None], names=MOTION)
     if case.friction >= 1.0:
-        deck.comment(f"Friction is {case.friction:g}; a rigid wall takes 1 and more as sticking without limit.")
+        deck.comment(f"Friction is {case.friction:g}; a rigid wall treats 1 or more as unlimited sticking.")
     deck.keyword("RIGIDWALL_PLANAR", [0], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, min(float(case.friction), 1.0)], names="nsid")

@@ -1,7 +1,7 @@
-"""Materials of the pieces of a ball: elastic laws and energies, those of one's own among them, and viscoelasticity.
+"""Materials of a ball's pieces: elastic laws and energies, built in or user-defined, and viscoelasticity.
 
-A law of one's own is an energy, written as an expression, or a function of C, compiled outside the package and called
-by its elements.
+A user-defined law is an energy, written as an expression, or a C function compiled outside the package and called by
+the elements.
 """
 
 from __future__ import annotations
@@ -32,34 +32,35 @@ NOT_CONSTANTS = (
     "name", "layers", "thickness", "law", "youngs", "energy", "volumetric", "poisson", "density", "maxwell", "radius",
     "bulk",
 )  # fmt: skip
-"""Keys of a piece of a ball, and its variables in derivatives, that no constant may be called."""
+"""Names that no constant may have: keys of a piece, or its variables in derivatives."""
 SAME = 1e-9
-"""Relative difference of energies that is rounding."""
+"""Relative difference between energies that is treated as rounding."""
 MOST_TRIED = 8
-"""Constants in proportion to which an energy may grow, of which every selection is tried."""
+"""Maximum number of constants that an energy may be linear in for every subset of them to be tried."""
 
 ENERGY = "energy"
-"""The name of the law of a material whose energy is written down."""
+"""Law name of a material that is defined by its energy."""
 
 
 @dataclass(frozen=True)
 class Energy:
-    """An energy of the change of shape per unit reference volume [J/m3], W(I1, I2).
+    """Strain energy of the change of shape per unit reference volume [J/m3], W(I1, I2).
 
-    The invariants are those of the right Cauchy-Green tensor without its change of volume, C' = J^(-2/3) F^T F:
-    I1 = tr C' and I2 = tr C'^-1, in principal stretches l1^2 + l2^2 + l3^2 and 1/l1^2 + 1/l2^2 + 1/l3^2, both 3 at
-    rest. ``I1bar`` and ``I2bar`` are other names of them. The energy of the change of volume, K/2 (J - 1)^2, is added
-    as to every law, with the bulk modulus K from the shear modulus, 2 (dW/dI1 + dW/dI2) at rest, and Poisson's ratio.
+    The invariants are those of the right Cauchy-Green tensor without the change of volume, C' = J^(-2/3) F^T F:
+    I1 = tr C' and I2 = tr C'^-1; in principal stretches l1^2 + l2^2 + l3^2 and 1/l1^2 + 1/l2^2 + 1/l3^2, both 3 at
+    rest. ``I1bar`` and ``I2bar`` are alternative names. As for every law, the energy of the change of volume,
+    K/2 (J - 1)^2, is added; the bulk modulus K follows from Poisson's ratio and the shear modulus,
+    2 (dW/dI1 + dW/dI2) at rest.
 
-    An expression has numbers, constants of any names, ``+ - * / ^`` (or ``**``), parentheses, ``exp``, ``log`` (or
-    ``ln``) and ``sqrt``. It is differentiated symbolically, by the core.
+    An expression may contain numbers, constants with any names, ``+ - * / ^`` (or ``**``), parentheses, ``exp``,
+    ``log`` (or ``ln``) and ``sqrt``. The core differentiates it symbolically.
 
     Attributes
     ----------
     text
         The expression.
     constants
-        Names of its constants, in the order in which they come in it.
+        Names of its constants, in order of appearance.
     """
 
     text: str
@@ -67,13 +68,13 @@ class Energy:
 
     @staticmethod
     def read(text: str) -> Energy:
-        """Return the energy of an expression; an error says at which character what is wrong."""
+        """Parse an expression; errors give the character at fault."""
         if not isinstance(text, str):
             raise InputError("energy", text, 'an expression in quotes, as in "c10*(I1-3) + c20*(I1-3)^2"')
         return _read(text)
 
     def given(self, constants: Mapping[str, float | str]) -> dict[str, float]:
-        """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
+        """Check the constants, which may be text with units, and return them [SI] in the core's order."""
         check_names(f"constant of the energy {self.text!r}", constants, self.constants)
         missing = [name for name in self.constants if name not in constants]
         if missing:
@@ -81,7 +82,7 @@ class Energy:
         return {name: self.constant_value(name, constants[name]) for name in self.constants}
 
     def constant_value(self, name: str, given: float | str) -> float:
-        """Return a constant [SI], checked: a stress, or a number."""
+        """Return a constant [SI], checked: a stress or a dimensionless number."""
         dimension = self.dimensions[name]
         if dimension is None:
             is_stress = isinstance(given, str) and units.dimension_of(given, name=name) == "pressure"
@@ -90,10 +91,10 @@ class Energy:
 
     @cached_property
     def dimensions(self) -> Mapping[str, str | None]:
-        """The dimension of each constant, None where the energy leaves it open.
+        """The dimension of each constant; None if the energy does not determine it.
 
-        The stresses among them are those with twice of which the energy is twice itself. There are none such where a
-        stress is written as a number in the expression.
+        Doubling all the stresses among the constants doubles the energy, which identifies them. This fails if the
+        expression contains a stress as a plain number.
         """
         at = [(3.05, 3.04), (3.02, 3.03)]
         for scale in (1.0, 10.0, 0.1):
@@ -117,7 +118,7 @@ class Energy:
         return dict.fromkeys(self.constants)
 
     def check(self, constants: Mapping[str, float]) -> None:
-        """Raise InputError for an energy that no material has at rest, and warn of one that loses its stiffness."""
+        """Raise InputError if the energy is impossible at rest; warn if stiffness is lost under tension."""
         values = list(constants.values())
         try:
             core.fem_check_law(ENERGY, values, self.text)
@@ -127,7 +128,7 @@ class Energy:
         unstable = core.fem_energy_instability(self.text, values)
         if unstable is not None:
             mode, stretch, undefined = unstable
-            what = "is not a number" if undefined else "gains no more stress as it is stretched further"
+            what = "is not a number" if undefined else "stops gaining stress"
             warn_once(
                 f"the material of the energy {self.text!r} {what} at a stretch of {stretch:.3g} in {mode}, which hard "
                 "impacts may reach: its elements may then fail or fold; choose other constants, or a lower speed",
@@ -135,14 +136,14 @@ class Energy:
             )
 
     def values(self, constants: Mapping[str, float], invariants: ArrayLike) -> Floats:
-        """Return W [J/m3], dW/dI1 and dW/dI2 [Pa] at rows of (I1, I2), a row each."""
+        """Return rows of W [J/m3], dW/dI1 and dW/dI2 [Pa] at rows of (I1, I2)."""
         at = np.asarray(invariants, dtype=float).reshape(-1, 2)
         rows = core.fem_energy_values(self.text, [constants[name] for name in self.constants], at.tolist())
         return np.asarray(rows, dtype=float).reshape(-1, 3)
 
 
 def check_volumetric(text: str) -> None:
-    """Raise InputError for an energy of the change of volume that cannot be read, or that is none at rest."""
+    """Raise InputError for an energy of the change of volume that is unreadable or has a stress at rest."""
     if not isinstance(text, str):
         raise InputError("volumetric", text, 'an expression in quotes, as in "bulk/4*(J^2 - 1 - 2*log(J))"')
     try:
@@ -162,7 +163,7 @@ def _read(text: str) -> Energy:
 
 
 def _allowed(allowed: str) -> str:
-    """Return what the core allows, as an error of the package says it."""
+    """Return the core's text on what is allowed, worded for an InputError."""
     return allowed.removeprefix("it must be ") if "at character" not in allowed else f"readable: {allowed}"
 
 
@@ -174,15 +175,15 @@ class Law(NamedTuple):
     name
         Its name in files.
     constants
-        The names of its constants, each with its dimension as in :mod:`clubface.units`.
+        Names of its constants, each with its dimension as in :mod:`clubface.units`.
     needed
-        How many constants must be given, counted from the first.
+        How many constants are required, counted from the first.
     group
-        How many of the others come at a time.
+        How many of the remaining constants belong together, such as 2 for pairs.
     summary
-        One line about it.
+        One-line description.
     states
-        Number of state variables of a law of one's own.
+        Number of state variables of a user-defined law.
     """
 
     name: str
@@ -193,7 +194,7 @@ class Law(NamedTuple):
     states: int = 0
 
     def given(self, constants: Mapping[str, float | str]) -> dict[str, float]:
-        """Return the constants [SI] in the order of the core, with checks; they may be text with units."""
+        """Check the constants, which may be text with units, and return them [SI] in the core's order."""
         check_names(f"constant of {self.name}", constants, self.constants)
         names = list(self.constants)
         last = max((names.index(name) for name in constants), default=0)
@@ -213,7 +214,7 @@ class Law(NamedTuple):
             name = label.removesuffix(f" of {self.name}")
             if name == "law":
                 raise InputError(name, Wording(error.args[1]), allowed.removeprefix("it must be ")) from None
-            # The shear modulus is no constant: the material has limits of its own for it.
+            # The shear modulus is not among the constants: the material checks it separately.
             if name in constants:
                 pressure = self.constants[name] == "pressure"
                 shown = units.show(constants[name], "MPa") if pressure else constants[name]
@@ -221,17 +222,17 @@ class Law(NamedTuple):
 
 
 REGISTERED: dict[str, Law] = {}
-"""Laws of one's own, see :func:`clubface.fem.register_law`."""
+"""User-defined laws, see :func:`clubface.fem.register_law`."""
 
 
 def laws() -> Mapping[str, Law]:
-    """Return the elastic laws by name, those of one's own last."""
+    """Return the elastic laws by name, user-defined ones last."""
     return Frozen({**builtin_laws(), **REGISTERED})
 
 
 @cache
 def builtin_laws() -> Mapping[str, Law]:
-    """Return the elastic laws of the package by name."""
+    """Return the built-in elastic laws by name."""
     laws_by_name = {}
     for each in core.fem_laws():
         constants = Frozen({constant["name"]: constant["dimension"] for constant in each["constants"]})
@@ -241,63 +242,63 @@ def builtin_laws() -> Mapping[str, Law]:
 
 
 MOST_NUMBERS = 64
-"""Constants that a law may have, and state variables."""
+"""Maximum number of constants, and of state variables, of a law."""
 
 LawFunction = ctypes.CFUNCTYPE(
     None, c_size_t, POINTER(c_double), POINTER(c_double), c_double, POINTER(c_double), POINTER(c_double)
 )
-"""The type of the function of a law for :mod:`ctypes`. It loads one of a library,
-``LawFunction(("rubber", ctypes.CDLL("./rubber.so")))``, or makes a slow one of a function in Python."""
+"""The :mod:`ctypes` type of a law's function. It wraps a function of a library,
+``LawFunction(("rubber", ctypes.CDLL("./rubber.so")))``, or a Python function, which is slow."""
 
 _functions: list[Any] = []
-"""Kept alive, since materials call them."""
+"""Keeps the functions alive that materials call."""
 _registering = threading.RLock()
-"""The core and the package know a law by the same registration, whichever thread came last."""
+"""Held so that core and package register the same function when threads compete for a name."""
 
 
 def register_law(
     name: str, function: Any, *, constants: Mapping[str, str | float] | None = None, states: int = 0, summary: str = ""
 ) -> Law:
-    """Make a function of C a law that materials know by ``name``, in code and in files of balls.
+    """Register a C function as a law that materials, in code and in ball files, refer to by ``name``.
 
-    It is known in this process alone, and registering a name again replaces its law in materials that are made later.
+    The registration lasts for this process only. Registering a name again replaces the law for materials made later.
 
     Parameters
     ----------
     name
-        A word that no other law has.
+        A word that is not yet the name of a built-in law.
     function
         ``void law(size_t count, const double *shapes, const double *constants, double step, double *states, double
-        *results)``: a function of ctypes (:data:`LawFunction`), or whatever has its ``address``, as a ``cfunc`` of
-        Numba. It computes ``count`` points at once and is called by several threads at a time. Arrays have rows of
-        ``count`` numbers, one of each point:
+        *results)``: a ctypes function (:data:`LawFunction`), or any object with an ``address``, such as a Numba
+        ``cfunc``. It computes ``count`` points per call and is called from several threads at once. Arrays have rows
+        of ``count`` numbers, one per point:
 
-        * ``shapes``: the right Cauchy-Green tensor without its change of volume, C' = J^(-2/3) F^T F, of determinant
-          one, in axes that stay with the point but are not those of others; six rows: xx, yy, zz, xy, xz, yz.
-        * ``states``: the state variables, zero before any deformation. The function moves them on by ``step`` [s], in
-          place; a step of 0 asks for the values at the same time again.
-        * ``results``: eight rows. The stress 2 dW/dC' [Pa] in six rows as those of ``shapes``; what is along the
-          inverse of C' is taken out, since it belongs to the change of volume. The elastic energy W [J/m3]. The energy
-          that became heat so far [J/m3], zero unless it is written.
+        * ``shapes``: the right Cauchy-Green tensor without the change of volume, C' = J^(-2/3) F^T F, with determinant
+          one. Each point has axes of its own, fixed over time. Six rows: xx, yy, zz, xy, xz, yz.
+        * ``states``: the state variables, zero in the undeformed state. The function advances them in place by
+          ``step`` [s]; a step of 0 asks for the values at the same time again.
+        * ``results``: eight rows. Six rows of the stress 2 dW/dC' [Pa], ordered like ``shapes``; its component along
+          the inverse of C' is removed, since it belongs to the change of volume. Then the elastic energy W [J/m3], and
+          the energy dissipated so far [J/m3], which is zero unless the function sets it.
     constants
-        The constants of the material by name, in the order in which ``constants`` of the function has them: typical
-        values, text with a unit or numbers, by which the function is checked.
+        The constants by name, in the order in which the function's ``constants`` argument holds them, each with a
+        typical value (a number, or text with a unit) at which the function is checked.
     states
-        Number of state variables of a point, at most 64.
+        Number of state variables per point, at most 64.
     summary
-        One line about the law.
+        One-line description of the law.
 
     Returns
     -------
     Law
-        Its description.
+        The registered law.
 
     Raises
     ------
     InputError
-        The name is taken or no word, the function is no function of C, or with these constants it has a stress or an
-        energy at rest, no stiffness, energies that differ where the axes are turned, or a stress that is not the
-        derivative of its energy (which is checked of laws without states).
+        The name is taken or not a word; the function is not a C function; or, with these constants, it has stress or
+        energy at rest, no stiffness, an energy that depends on the orientation of the axes, or a stress that is not
+        the derivative of its energy (checked for laws without state variables).
     """
     if not (isinstance(name, str) and name.replace("-", "_").isidentifier()):
         raise InputError("name", name, "a word of letters, digits, hyphens and underscores")
@@ -316,7 +317,7 @@ def register_law(
             raise InputError("name of a constant", key, "a word that is not already a key of a ball piece")
         dimensions[key] = units.dimension_of(given, name=key)
         values.append(units.parse(given, dimensions[key], name=key))
-    law = Law(name, dimensions, len(dimensions), 1, summary or "a law of one's own", states)
+    law = Law(name, dimensions, len(dimensions), 1, summary or "a user-defined law", states)
     with _registering:
         try:
             core.fem_register_law(name, address, list(dimensions), values, states)
@@ -331,14 +332,16 @@ def register_law(
 
 @dataclass(frozen=True)
 class Maxwell:
-    """One viscoelastic branch, parallel to the elastic law."""
+    """A viscoelastic (Maxwell) branch, parallel to the elastic law."""
 
     modulus: float = file_key(
-        PhysicalValue("1", above=0, upper=1e3, allowed="above 0 and at most 1000 times that of the elastic law"),
-        "its shear modulus divided by that of the elastic law",
+        PhysicalValue("1", above=0, upper=1e3, allowed="above 0 and at most 1000 (times the elastic law's)"),
+        "shear modulus relative to the elastic law's",
     )
     time: float = file_key(
-        PhysicalValue("us", 0.1, 1e9, allowed="0.1 us to 1000 s"), "in which its stress falls to 1/e", example="100 us"
+        PhysicalValue("us", 0.1, 1e9, allowed="0.1 us to 1000 s"),
+        "relaxation time (stress falls to 1/e)",
+        example="100 us",
     )
 
     def __post_init__(self) -> None:
@@ -347,31 +350,31 @@ class Maxwell:
 
 MAX_BRANCHES = 4
 SHEAR = (1e3, 1e12)
-"""Limits of the shear modulus [Pa]."""
-_POISSON = "-0.9 to 0.4999; a material of 0.5 cannot change its volume, which explicit steps cannot follow"
+"""Limits for the shear modulus [Pa]."""
+_POISSON = "-0.9 to 0.4999; a material with 0.5 is incompressible, which explicit time steps cannot handle"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """A material for finite strain.
+    """A material for large (finite) strains.
 
     Attributes
     ----------
     law
-        The name of an elastic law, see :func:`laws`. "linear" may also be given by ``youngs``.
+        Name of an elastic law, see :func:`laws`. "linear" may also be given by ``youngs``.
     energy
-        In place of a law: the energy of a change of shape per unit reference volume as an expression in the invariants
-        I1 and I2 and constants of any names, as in "c10*(I1-3) + c20*(I1-3)^2"; see
+        Alternative to a law: the strain energy of the change of shape per unit reference volume, as an expression in
+        the invariants I1 and I2 and constants with any names, such as "c10*(I1-3) + c20*(I1-3)^2"; see
         :class:`clubface.fem.Energy`.
     constants
-        The constants of the law, or of the energy, by name [Pa; exponents are plain numbers].
+        Constants of the law or the energy by name [Pa; exponents are plain numbers].
     poisson
-        Poisson's ratio at small strain, below 0.5; it sets the bulk modulus.
+        Poisson's ratio at small strain, below 0.5; determines the bulk modulus.
     volumetric
-        The energy of the change of volume per unit reference volume as an expression in its ratio J and the bulk
-        modulus, as in "bulk/4*(J^2 - 1 - 2*log(J))"; "bulk/2*(J - 1)^2" unless given.
+        Energy of the change of volume per unit reference volume, as an expression in the volume ratio J and the bulk
+        modulus, such as "bulk/4*(J^2 - 1 - 2*log(J))"; default "bulk/2*(J - 1)^2".
     density
-        Density [kg/m3]; None for a core that takes what the mass of the ball leaves.
+        Density [kg/m3]; None for a core whose density follows from the mass of the ball.
     maxwell
         Viscoelastic branches.
     """
@@ -401,7 +404,7 @@ class Material:
         if len(self.maxwell) > MAX_BRANCHES:
             raise InputError("maxwell", len(self.maxwell), f"at most {MAX_BRANCHES} branches")
         if self.maxwell and isinstance(law, Law) and law.states:
-            raise InputError("maxwell", len(self.maxwell), "left out, since the law has state variables of its own")
+            raise InputError("maxwell", len(self.maxwell), "left out; the law has its own state variables")
         law.check(values)
         if not SHEAR[0] <= self.shear <= SHEAR[1]:
             if self.energy is not None:
@@ -411,10 +414,10 @@ class Material:
             raise InputError(name, shown, _shear_allowed(self.shear))
 
     def _law(self) -> Law | Energy:
-        """Return the law, or the energy in its place, before the constants are known to fit."""
+        """Return the law or the energy, before its constants are checked."""
         if self.energy is not None:
             if self.law != ENERGY:
-                raise InputError("law", self.law, "leave it out, since the energy is given")
+                raise InputError("law", self.law, "leave it out; energy is given in its place")
             return Energy.read(self.energy)
         if self.law == ENERGY:
             raise InputError("law", None, f"give a law ({', '.join(laws())}), or an energy in its place")
@@ -423,11 +426,11 @@ class Material:
 
     @property
     def shear(self) -> float:
-        """Shear modulus of small, slow deformation [Pa]."""
+        """Shear modulus for small, slow deformation [Pa]."""
         return core.fem_shear(self.law, list(self.constants.values()), self.energy)[0]
 
     def shear_slope(self, constant: str) -> float:
-        """Return the derivative of the shear modulus by a constant of the law."""
+        """Return the derivative of the shear modulus with respect to a constant of the law."""
         slopes = core.fem_shear(self.law, list(self.constants.values()), self.energy)[1]
         return slopes[list(self.constants).index(constant)]
 
@@ -444,7 +447,7 @@ class Material:
 
     @property
     def youngs(self) -> float:
-        """Young's modulus of small, slow deformation [Pa]."""
+        """Young's modulus for small, slow deformation [Pa]."""
         return 2.0 * self.shear * (1.0 + self.poisson)
 
     @classmethod
@@ -456,7 +459,7 @@ class Material:
         maxwell: Sequence[Maxwell] = (),
         volumetric: str | None = None,
     ) -> Material:
-        """Return a material that is linear in logarithmic strain, from Young's modulus and Poisson's ratio."""
+        """Return a material that is linear in logarithmic strain."""
         modulus = units.parse(youngs, "pressure", name="youngs")
         ratio = units.parse(poisson, units.DIMENSIONLESS, name="poisson")
         if not modulus > 0.0:

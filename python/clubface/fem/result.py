@@ -1,10 +1,10 @@
-"""Results of a finite element impact: figures, histories, energies, and fields of stress and strain.
+"""Results of a finite element impact: key figures, histories, energies, and fields of stress and strain.
 
-The stress at the centre of an element is the most exact one that a hexahedron has (it is superconvergent), but a wall
-under bending has its largest stress at its surface, half an element away: two layers of elements see half of it at
-their centres, three layers two thirds. Patch recovery (Zienkiewicz and Zhu, 1992) fits each component of the stress in
-the elements round a node inside the body by a linear function of the place. A node of the surface takes the value of
-the function of the nearest node inside, extrapolated.
+In a hexahedron, stress is most accurate at the centre (it is superconvergent there). A wall in bending, however, has
+its largest stress at its surface, half an element away: two layers of elements capture half of it at their centres,
+three layers two thirds. Patch recovery (Zienkiewicz and Zhu, 1992) therefore fits each stress component in the elements
+around an interior node by a linear function of position; a surface node takes the value extrapolated from the nearest
+interior node.
 """
 
 from __future__ import annotations
@@ -38,29 +38,26 @@ if TYPE_CHECKING:
 __all__ = ["Displacement", "ElementFields", "Impact", "SurfaceRecovery", "displaced_centre", "von_mises"]
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
-"""Order of the components of tensors."""
+"""Order of tensor components."""
 
 
 @dataclass(frozen=True)
 class ElementFields:
     """Stress and strain in the elements of a body.
 
+    One-point hexahedra give the values at their centre; fully integrated hexahedra and tetrahedra give the average over
+    their points. Tetrahedra follow hexahedra. Shells give the values at their surfaces (at the outermost points if they
+    have points through the thickness), without transverse shear. Values have single precision.
+
     Attributes
     ----------
     stress
-        Cauchy stress [Pa], shape (frames, elements, components) with :data:`COMPONENTS`; for shells (frames, elements,
-        sides, components), the outer side first. In the axes of the frames.
+        Cauchy stress [Pa] in the axes of the frames, shape (frames, elements, components) with :data:`COMPONENTS`; for
+        shells (frames, elements, sides, components), the outer side first.
     strain
-        Logarithmic strain in the same shape (shear is not doubled); for shells only the elastic part.
+        Logarithmic strain in the same shape (tensor shear, not doubled); for shells only the elastic part.
     plastic_strain
-        Equivalent plastic strain, shape (frames, elements); for shells the largest one through the thickness.
-
-    Notes
-    -----
-    One-point hexahedra give the values at their centre, fully integrated ones and tetrahedra the average of their
-    points; tetrahedra follow hexahedra. Shells
-    give the values of their surfaces, or of the outermost points if they have points through the thickness, without
-    transverse shear. The numbers have single precision.
+        Equivalent plastic strain, shape (frames, elements); for shells the largest through the thickness.
     """
 
     stress: Floats
@@ -69,31 +66,31 @@ class ElementFields:
 
     @classmethod
     def from_core(cls, arrays: Sequence[Floats], frames: int, elements: int, *, shells: bool) -> ElementFields:
-        """Return the fields of a body from the core's stress, strain and plastic strain, both sides of elements."""
+        """Return the fields of a body from the core's stress, strain and plastic strain, which hold two sides each."""
         shape = (frames, elements, 2, len(COMPONENTS))
         stress, strain = (each.reshape(shape) if shells else each.reshape(shape)[:, :, 0] for each in arrays[:2])
         return cls(stress, strain, arrays[2].reshape(frames, elements))
 
     @property
     def pressure(self) -> Floats:
-        """Minus the mean stress [Pa]; positive in compression."""
+        """Pressure, the negative mean stress [Pa]; positive in compression."""
         return -self.stress[..., :3].mean(axis=-1)
 
     @property
     def von_mises(self) -> Floats:
-        """Equivalent stress of von Mises [Pa]."""
+        """Von Mises stress [Pa]."""
         return von_mises(self.stress)
 
 
 def von_mises(stress: NDArray[Any]) -> Floats:
-    """Return the equivalent stress of von Mises of tensors, components last."""
+    """Return the von Mises stress of tensors, components last."""
     xx, yy, zz, xy, xz, yz = np.moveaxis(stress, -1, 0)
     differences = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     return np.sqrt(0.5 * differences + 3.0 * (xy**2 + xz**2 + yz**2))
 
 
 def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> Floats:
-    """Return symmetric tensors (components last) in axes in which the old ones are the columns of ``rotation``."""
+    """Rotate symmetric tensors (components last) from the axes that are the columns of ``rotation``."""
     xx, yy, zz, xy, xz, yz = np.moveaxis(tensors, -1, 0)
     whole = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
     seen = rotation @ whole @ rotation.T
@@ -101,64 +98,63 @@ def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> Floats:
 
 
 class Impact(Described):
-    """One impact, in SI units.
+    """The result of one impact, in SI units.
 
     Attributes
     ----------
     peak_force, peak_force_time
-        Largest normal force [N], and its time [s].
+        Largest normal force [N] and its time [s].
     contact_time
-        Time of the last touch [s]. It is NaN if the records end with the ball on the face, and so are ``f_prime`` and
-        ``f``. The other figures are then those up to the end of the records.
+        Time of the last touch [s]. NaN, like ``f_prime`` and ``f``, if the records end with the ball on the face; the
+        other figures then cover the time up to the end of the records.
     tangential_max, tangential_min, reversal_time
-        Largest and smallest force along the face [N], positive where it makes backspin, and the time at which it turns
-        negative [s]; that time is NaN if it does not before the last touch.
+        Largest and smallest force along the face [N], positive where it creates backspin, and the time at which it
+        turns negative [s], NaN if it does not do so before the last touch.
     spin_max
-        Largest backspin during the impact [rad/s]. On the way it is the rotation that fits the velocities of all nodes
-        best, as in ``motion``; the final one, ``backspin``, is the angular momentum over the moment of inertia of the
-        undeformed ball. The larger counts, so that it is never less than ``backspin``.
+        Largest backspin during the impact [rad/s]: the larger of the greatest value in ``motion``, whose spin is the
+        rotation that best fits the velocities of all nodes, and the final ``backspin``, which is angular momentum over
+        the moment of inertia of the undeformed ball.
     contraction, contraction_time
-        Greatest loss of the distance from mass centre to face, divided by the radius, and its time [s].
+        Largest decrease of the distance from mass centre to face, relative to the radius, and its time [s].
     f_prime, f
         Compression factors of Roh and Lee, equations 9 and 11.
     energy_error
-        Largest error of the energy balance in the records of ``energy``, divided by the initial kinetic energy. A run
-        that stops because of its energy balance keeps the records before that; ``stopped`` then gives the larger error.
+        Largest error of the energy balance in ``energy``, relative to the initial kinetic energy. A run that stops
+        because of its energy balance keeps the records before that; ``stopped`` then gives the larger error.
     steps, step, wall
-        Number of steps, their length [s], and the time of the computation [s].
+        Number of steps, their length [s], and the computing time [s].
     stopped
         Why there is no launch: the run failed, was ``interrupted``, or is ``unfinished`` with the ball still on the
         face. None if there is a launch.
     over_edge
-        Whether the ball reached round the edge of a meshed face, where contact ends: crown and sole are not touched.
+        Whether the ball reached beyond the edge of a meshed face, where contact ends: crown and sole are never touched.
     contact
-        Arrays over the steps: time, normal, tangential, toe [N], area [m2].
+        Arrays over time steps: time, normal, tangential, toe [N], area [m2].
     motion
-        Arrays over the records: time, velocity and spin along the normal, up the face and towards the toe, and radius
-        (from mass centre to face) [m].
+        Arrays over records: time; velocity and spin along the normal, up the face and towards the toe; radius (from
+        mass centre to face) [m].
     energy
         Arrays over fewer records [J]: kinetic, strain, hourglass, viscous, plastic, contact, friction, damping.
     patch
-        Arrays over the nodes of the ball in contact at the records: time, up and toe (from the mass centre, along the
-        face of first touch [m]), normal and tangential force [N], and area (the part of the undeformed surface that
-        belongs to the node [m2]).
+        Arrays over the ball's nodes in contact at each record: time; up and toe, the position relative to the mass
+        centre along the face of first touch [m]; normal and tangential force [N]; area, the node's share of the
+        undeformed surface [m2].
     frame_times, frames
-        Times [s] and node positions [m] of the deformed shapes of the ball that were asked for. They are in face axes
-        of first touch (those of the plane), with the origin at the clubhead's CG at that time (where the ball first
-        touches the plane).
+        Times [s] and node positions [m] of the recorded shapes of the ball, in face axes of first touch (the plane's
+        axes). The origin is the clubhead's CG at that time (the point where the ball first touches the plane).
     head_frames
         The same for the nodes of a meshed head.
     fields, head_fields
-        Stress and strain in the elements of the ball and of a meshed head, at ``frame_times``, in the axes of
-        ``frames`` (:class:`ElementFields`); None unless the settings asked for them.
+        Stress and strain in the elements of the ball and of a meshed head (:class:`ElementFields`), at
+        ``frame_times``, in the axes of ``frames``; None unless requested in the settings.
     axes
-        Directions at the point of first touch, one in each row, in face axes: normal, up the face, towards the toe.
+        Directions at the point of first touch in face axes, one per row: normal, up the face, towards the toe.
     attitude
-        Rotation from face axes to world axes.
+        Rotation matrix from face axes to world axes.
     frame_velocity
         Velocity of the clubhead at first touch along ``axes`` [m/s]; ``motion`` is relative to it.
     ball, friction, settings, given, head
-        The inputs; ``head`` is None unless it is meshed.
+        The inputs; ``head`` is None unless meshed.
     """
 
     peak_force: float
@@ -224,20 +220,19 @@ class Impact(Described):
 
     @property
     def equipment(self) -> tuple[Club, RigidBall] | None:
-        """The club and the ball as the simple models see them; None for a plane."""
+        """The rigid club and ball of the other models; None for a plane."""
         return None if self._shots is None else (self._shots.club, self._shots.ball)
 
     @property
     def last_touch(self) -> float:
-        """Time of the last touch in the records [s], even if the ball has not left yet; 0 if there is no touch."""
+        """Time of the last touch in the records [s], even if the ball is still in contact; 0 if there is none."""
         return float(self.contact["time"][self.contact["normal"] > 0.0][-1:].sum())
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """The inputs in SI units: ball with its materials and mesh, head or plane, delivery, settings, and the version.
+        """The inputs in SI units: ball with materials and mesh, head or plane, delivery, settings, and the version.
 
-        A density of 0 belongs to a core whose density follows from the mass of the ball; "core_density" is that
-        density.
+        A density of 0 marks a core whose density follows from the mass of the ball; "core_density" is that density.
         """
         delivery, head = self.given, {"name": "plane"}
         if self._shots is not None:
@@ -256,27 +251,27 @@ class Impact(Described):
 
     @property
     def elements(self) -> int:
-        """Number of elements."""
+        """Total number of elements."""
         return self.ball.elements + (0 if self.head is None else self.head.elements)
 
     @property
     def normal_velocity(self) -> float:
-        """Velocity of the ball along the face normal of first touch after the impact [m/s]."""
+        """Velocity of the ball after the impact along the face normal of first touch [m/s]."""
         return float(self.axes[0] @ self._ball_velocity)
 
     @property
     def tangential_velocity(self) -> float:
-        """Velocity of the ball up the face after the impact [m/s]."""
+        """Velocity of the ball after the impact up the face [m/s]."""
         return float(self.axes[1] @ self._ball_velocity)
 
     @property
     def backspin(self) -> float:
-        """Spin of the ball about the toe direction after the impact [rad/s]."""
+        """Spin of the ball after the impact about the toe direction [rad/s]."""
         return float(self.axes[2] @ self._ball_spin)
 
     @cached_property
     def launch(self) -> Launch | None:
-        """The launch, as by the other models, NaN if the run ended early; None for a ball thrown at a plane."""
+        """The launch, as from the other models; NaN if the run ended early, None for a ball thrown at a plane."""
         if self._shots is None:
             return None
         from clubface.equipment.parameters import ParameterSet
@@ -287,14 +282,14 @@ class Impact(Described):
         return Launch(np.asarray(self._launch).reshape(-1, 1), self._shots, "fem", parameters, problems=problems)
 
     def outcome(self) -> dict[str, float]:
-        """Return the quantities of the launch, or velocities and spin after a throw at a plane, by name [SI]."""
+        """Return the launch quantities, or velocities and spin after a throw at a plane, by name [SI]."""
         if self.launch is None:
             names = ("normal_velocity", "tangential_velocity", "backspin")
             return {name: getattr(self, name) for name in names}
         return {name: float(self.launch.get(name)) for name in self.launch.quantities()}
 
     def flown(self) -> dict[str, float]:
-        """Return ``carry``, ``side`` and ``apex`` of the flight in still air [m]; empty where nothing flies off."""
+        """Return ``carry``, ``side`` and ``apex`` of the flight in still air [m]; empty if there is no launch."""
         if self.launch is None or self.stopped is not None:
             return {}
         from clubface.simulation.flight import fly
@@ -303,7 +298,7 @@ class Impact(Described):
         return {name: float(flight.get(name)) for name in ("carry", "side", "apex")}
 
     def check_complete(self) -> None:
-        """Raise KeyboardInterrupt for a run that was interrupted, and RunError for one that ended early otherwise."""
+        """Raise KeyboardInterrupt if the run was interrupted, RunError if it ended early for another reason."""
         if self.interrupted:
             raise KeyboardInterrupt
         if self.stopped:
@@ -316,11 +311,10 @@ class Impact(Described):
         return impact_result(self)
 
     def relative_velocity(self) -> Floats:
-        """Return the velocity of the ball relative to the CG of the head, or to the plane [m/s], shape (records, 3).
+        """Return the ball's velocity relative to the head's CG, or to the plane [m/s], shape (records, 3).
 
-        The components are along the normal of first touch, up the face (the tangential velocity of Roh and Lee) and
-        towards the toe. The velocity of the clubhead follows from that of the ball, because their momentum is
-        conserved.
+        The components are along the normal of first touch, up the face (Roh and Lee's tangential velocity) and towards
+        the toe. The clubhead's velocity follows from the ball's by conservation of momentum.
         """
         velocity = self.motion["velocity"]
         if self.equipment is None:
@@ -329,7 +323,7 @@ class Impact(Described):
         return velocity + ball.mass / club.mass * (velocity - velocity[:1])
 
     def world_club_velocity(self) -> Floats:
-        """Return the velocity of the clubhead's CG in world axes [m/s], shape (records, 3), from that of the ball."""
+        """Return the velocity of the clubhead's CG in world axes [m/s], shape (records, 3), from the ball's."""
         along = self.motion["velocity"] - self.relative_velocity() + self.frame_velocity
         return along @ self.axes @ self.attitude.T
 
@@ -339,9 +333,9 @@ class Impact(Described):
         return along @ self.axes @ self.attitude.T
 
     def world_positions(self, shapes: Floats | None = None) -> Floats:
-        """Return the nodes of deformed shapes, by default of the ball, in world axes [m], shape (shapes, nodes, 3).
+        """Return the nodes of deformed shapes, by default the ball's, in world axes [m], shape (shapes, nodes, 3).
 
-        The origin is the clubhead's CG at first touch, or the point of a plane where the ball first touches it. For a
+        The origin is the clubhead's CG at first touch, or the point where the ball first touches a plane. For a
         left-handed club the result is the mirror image of the impact.
         """
         return (self.frames if shapes is None else shapes) @ self.attitude.T
@@ -352,20 +346,20 @@ class Impact(Described):
 
 
 FEWEST = 10
-"""Tetrahedra round a node of the surface for a fit by themselves: it has four coefficients."""
+"""Minimum number of tetrahedra around a surface node for a fit of its own, which has four coefficients."""
 FLAT = 1e-3
-"""Singular values below this share of the largest say that a patch has no extent in a direction."""
+"""Singular values below this fraction of the largest mean that a patch has no extent in a direction."""
 
 
 @dataclass(frozen=True)
 class SurfaceRecovery:
-    """How stress at the nodes of a surface follows from that at the centres of elements.
+    """Recovery of stress at surface nodes from stress at element centres.
 
-    ``nodes`` are those of the surface, in ascending order, shape (n,), and ``quads`` the quadrilaterals between them,
-    shape (m, 4); a triangle has its last corner twice. ``elements`` are those whose stress makes that of each node, and
-    ``weights`` their shares, shape (n, most); shares of 0 fill up. ``extrapolated`` says whether each node has a node
-    inside to extrapolate from: others, such as those of a wall of one layer, take the mean of the elements round them,
-    which do not see how the wall bends.
+    ``nodes`` are the surface nodes in ascending order, shape (n,), and ``quads`` the quadrilaterals between them, shape
+    (m, 4); a triangle repeats its last corner. ``elements`` are the elements whose stress determines each node's, and
+    ``weights`` their weights, shape (n, most), padded with 0. ``extrapolated`` says whether each node has an interior
+    node to extrapolate from; the others, such as in a wall of one layer, take the mean of the elements around them,
+    which misses how the wall bends.
     """
 
     nodes: NDArray[Any]
@@ -389,7 +383,7 @@ class SurfaceRecovery:
         owners, members = np.repeat(np.arange(len(nodes_of)), [*map(len, nodes_of)]), np.concatenate(nodes_of)
         order = np.argsort(members, kind="stable")
         around = np.split(owners[order], np.searchsorted(members[order], np.arange(1, len(nodes))))
-        # The two ends of the edge in whose middle a node of tetrahedra is.
+        # The two ends of the edge on which each mid-edge node lies.
         ends_of = {int(row[4 + at]): (int(row[i]), int(row[j])) for each in elements if each.shape[1] == 10
                    for row in each for at, (i, j) in enumerate(EDGES)}  # fmt: skip
 
@@ -397,7 +391,7 @@ class SurfaceRecovery:
             return np.unique(np.concatenate([nodes_of[each] for each in patch]))
 
         def from_inside(node: int) -> Patch:
-            """Return the patch of the nearest node inside."""
+            """Return the patch of the nearest interior node."""
             corners, own = nodes_round(around[node]), around[node]
             near = corners[~on_surface[corners]]
             if near.size == 0:
@@ -407,14 +401,14 @@ class SurfaceRecovery:
 
         @cache
         def at_corner(node: int) -> tuple[NDArray[Any], NDArray[Any]]:
-            """Return the tetrahedra round a corner, which lie at several depths, and the neighbours of few."""
+            """Return the tetrahedra around a corner, which lie at several depths, and their neighbours if few."""
             patch = around[node]
             if len(patch) < FEWEST:
                 patch = np.unique(np.concatenate([around[each] for each in nodes_round(patch)]))
             return patch, _shares_at(nodes[node], nodes[node], centres[patch])
 
         def of_tetrahedra(node: int) -> Patch:
-            """Return the patch of a corner; a node in the middle of an edge takes the mean of its ends."""
+            """Return the patch of a corner; a mid-edge node averages those of the edge's ends."""
             ends = ends_of.get(node, (node,))
             patch, shares = (np.concatenate(each) for each in zip(*map(at_corner, ends), strict=True))
             return patch, shares / len(ends), True
@@ -427,16 +421,16 @@ class SurfaceRecovery:
         return cls(surface, quads, chosen, weights, np.array([inside for *_, inside in patches]))
 
     def at_nodes(self, values: NDArray[Any]) -> Floats:
-        """Return at the nodes of the surface what is given at elements, shape (..., elements, components)."""
+        """Interpolate values given per element, shape (..., elements, components), to the surface nodes."""
         return np.einsum("np,...npc->...nc", self.weights, np.asarray(values, float)[..., self.elements, :])
 
 
 Patch = tuple[NDArray[Any], NDArray[Any], bool]
-"""Elements, their shares in a node of the surface, and whether these extrapolate from inside."""
+"""Elements, their weights for a surface node, and whether they extrapolate from inside."""
 
 
 def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any]) -> NDArray[Any]:
-    """Return the shares of elements in the value at a place of a linear function through theirs about ``middle``."""
+    """Return the weights of elements in a linear fit about ``middle``, evaluated at ``place``."""
     away, there = centres - middle, place - middle
     size = abs(away).max()
     terms = np.column_stack([np.ones(len(away)), away / size])
@@ -444,20 +438,20 @@ def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any])
 
 
 class Displacement(NamedTuple):
-    """Where the mass centre of a deformed ball is, as an impulse at one point sees it.
+    """Displacement of the mass centre of a deformed ball, as seen by an impulse at one point.
 
-    The impulse acts at the distance R from an undeformed ball's centre. With a mass centre displaced by (``normal``,
-    ``up``, ``toe``) it has the moments that the forces of the contact had about the ball's mass centre.
+    The impulse acts at distance R from the centre of an undeformed ball. If the mass centre is displaced by
+    (``normal``, ``up``, ``toe``), it has the same moments as the contact forces had about the ball's mass centre.
 
     Attributes
     ----------
     normal
-        Displacement away from the face [m], averaged with the force along the face; negative is nearer the face.
+        Displacement away from the face [m], averaged with the force along the face; negative means nearer the face.
     up, toe
         Displacement up the face and towards the toe from the centre of pressure [m], averaged with the normal force.
     moment
-        The moment about the toe direction over the normal impulse, less that of a ball that stays round [m]: the
-        displacement up the face that would do all by itself. Positive adds backspin.
+        Moment about the toe direction divided by the normal impulse, minus the value for a ball that stays round [m]:
+        the displacement up the face that has the same effect on its own. Positive adds backspin.
     """
 
     normal: float
@@ -467,13 +461,13 @@ class Displacement(NamedTuple):
 
 
 def displaced_centre(impact: Impact) -> Displacement:
-    """Return the displacement of the mass centre that the model ``adjusted`` calls dCG, from a finished impact.
+    """Return the mass centre displacement (dCG of the model ``adjusted``) of a complete impact.
 
-    The directions are those of first touch, as in the model. With a head, ``up`` and ``toe`` thus include what the head
-    turns and the face curves while the ball is on it.
+    The directions are those of first touch, as in the model. With a head, ``up`` and ``toe`` therefore include the
+    head's rotation and the curvature of the face while the ball is in contact.
     """
     if impact.stopped is not None:
-        raise InputError("impact", impact, "a complete one")
+        raise InputError("impact", impact, "a complete impact")
     patch, motion = impact.patch, impact.motion
     times, record = np.unique(patch["time"], return_inverse=True)
     keys = ("normal", "tangential")

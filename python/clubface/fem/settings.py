@@ -1,4 +1,4 @@
-"""Settings of the finite elements: time, steps, contact, and what to keep."""
+"""Settings of a finite element run: time, steps, contact, and what to record."""
 
 from __future__ import annotations
 
@@ -12,51 +12,51 @@ from clubface.schema import FLAG, Choice, PhysicalValue, check_values, count, fi
 __all__ = ["Settings"]
 
 METHODS = ("penalty", "augmented-lagrange")
-"""How nodes are kept out of the face."""
+"""Contact methods, which keep nodes out of the face."""
 
 SAFETIES = (None, 0.65, 0.55)
-"""Time steps over the stable one that are tried in turn where none is asked for; the first is chosen by the core."""
+"""Values of ``safety`` tried in turn if none is given; None lets the core choose."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Settings:
-    """How to run a finite element impact.
+    """Settings of a finite element run.
 
     Attributes
     ----------
     safety
-        Time step divided by the stable step of the undeformed bodies. If left out, it is 0.75 of the ball's stable step
-        (0.9 if no piece of the ball can be subcycled) and at most 0.95 of the head's. Hard impacts squeeze elements,
-        which then need shorter steps; a run whose elements fail is therefore repeated with 0.65, and then with 0.55.
-        The settings of a result hold the value that was used.
+        Time step divided by the stable step of the undeformed bodies. Default: 0.75 of the ball's stable step (0.9 if
+        no piece of the ball can be subcycled), but at most 0.95 of the head's. Elements compressed in a hard impact
+        need shorter steps, so a run in which elements fail is repeated with 0.65, then with 0.55. The settings of a
+        result hold the value used.
     contact
-        How nodes are kept out of the face: "penalty" uses springs, which give way in proportion to their load;
+        How nodes are kept out of the face: "penalty" uses springs, which yield in proportion to their load;
         "augmented-lagrange" adds multipliers that take over the load from the springs.
     bulk_viscosity
-        Coefficient of a pressure against fast changes of volume in solid elements: this pressure divided by density,
-        wave speed, element size and rate of the volume. 0.06 is usual in other programs; 0 for none.
+        Coefficient of a pressure that resists fast volume changes in solid elements: the pressure divided by density,
+        wave speed, element size and rate of volume change. Other programs commonly use 0.06; 0 switches it off.
     """
 
     duration: float = file_key(PhysicalValue("us", 1, 1e5, allowed="1 us to 0.1 s"), "simulated time", default=1e-3)
     safety: float | None = file_key(
-        PhysicalValue("1", 0.05, 1, allowed="0.05 to 1, the stable step"),
+        PhysicalValue("1", 0.05, 1, allowed="0.05 to 1 (the stable step)"),
         "time step divided by the stable step of the undeformed bodies; chosen by default", default=None,
     )  # fmt: skip
     interval: float = file_key(
         PhysicalValue("us", 0.01, allowed="0.01 us to the duration"),
-        "time between the records of motion; contact is recorded at every step", default=5e-6,
+        "time between records of motion; contact is recorded at every step", default=5e-6,
     )  # fmt: skip
     until_separation: bool = file_key(
-        FLAG, "whether to end soon after the last touch, before or after `duration` (0.1 s at most)", default=False
+        FLAG, "end soon after the last touch, before or after `duration` (0.1 s at most)", default=False
     )
     contact: str = file_key(Choice(METHODS), "contact method", default="penalty")
     bulk_viscosity: float = file_key(
         PhysicalValue("1", 0, 1, allowed="0 to 1; 0.06 is usual"),
-        "coefficient of a pressure against fast changes of volume", default=0.0,
+        "coefficient of a pressure that resists fast volume changes", default=0.0,
     )  # fmt: skip
-    frames: int = file_key(count(0, 10_000), "deformed shapes to keep, evenly over `duration`", default=0)
-    fields: bool = file_key(FLAG, "whether to keep stress and strain of every element with the shapes", default=False)
-    threads: int = file_key(count(0, 1024), "0 for all cores; the result does not depend on it", default=0)
+    frames: int = file_key(count(0, 10_000), "number of deformed shapes to record, evenly over `duration`", default=0)
+    fields: bool = file_key(FLAG, "also record stress and strain of every element with the shapes", default=False)
+    threads: int = file_key(count(0, 1024), "number of threads, 0 for all cores; does not affect the result", default=0)
 
     def __post_init__(self) -> None:
         check_values(self)
@@ -64,16 +64,16 @@ class Settings:
             raise InputError("interval", units.show(self.interval, "us"), "0.01 us to the duration")
 
     def values(self) -> dict[str, Any]:
-        """Return the settings as the core takes them."""
+        """Return the settings in the core's format."""
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
 
     def safeties(self) -> tuple[float | None, ...]:
-        """Return the safety, or the values to try in turn if none is given."""
+        """Return the value of ``safety``, or the values to try in turn if it is None."""
         return SAFETIES if self.safety is None else (self.safety,)
 
 
 def settings_of(given: Settings | None) -> Settings:
-    """Return the settings given, checked, or those by default."""
+    """Return the given settings, or the defaults; raise InputError for anything else."""
     if given is None:
         return Settings()
     if not isinstance(given, Settings):
