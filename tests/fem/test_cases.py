@@ -111,7 +111,7 @@ MISTAKES = [
         '[run]\ncontact = "glue"',
         "case.toml:13: unknown run.contact 'glue'; it must be one of penalty, augmented-lagrange",
     ),
-    ("[run]", "[run]\nsafety = 2", "case.toml:13: run.safety is 2.0; it must be 0.05 to 1, the stable step"),
+    ("[run]", "[run]\nsafety = 2", "case.toml:13: run.safety is 2.0; it must be 0.05 to 1"),
     ("[run]", "[run]\nuntil_separation = 3", "case.toml:13: run.until_separation is 3; it must be true or false"),
     ('duration = "100 us"', 'duration = "100 mm"', "case.toml:13: run.duration"),
 ]
