@@ -143,7 +143,7 @@ def test_a_hard_drive_takes_the_shorter_steps_of_its_run():
 
 
 def test_a_solid_head_is_refused():
-    with pytest.raises(InputError, match="a head of shells"):
+    with pytest.raises(InputError, match="shell head"):
         fem.variables(fem.head("7-iron"))
 
 

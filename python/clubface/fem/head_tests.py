@@ -1,4 +1,4 @@
-"""Tests of a head, at one point or over its face: coefficient of restitution and characteristic time."""
+"""Simulated tests of a head, at one point or over its face: coefficient of restitution and characteristic time."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ from clubface.support.checks import without_warnings
 __all__ = ["characteristic_time", "face_map", "face_picture", "face_result", "restitution"]
 
 COR_SPEED = "160 ft/s"
-"""Speed of the ball in the test of restitution that the rules had before the pendulum."""
+"""Ball speed in the restitution test of the former rules, before the pendulum test."""
 STRIKER_DIAMETER = 0.0365
-"""Diameter of the steel sphere that stands for the pendulum [m]; it weighs 200 g. The mass of the pendulum could not
-be found. With this one drivers of usual size have up to 0.010 less restitution, by the ball ``modern``, than the rules
-pair with their time; with 227 g it would be another 0.003."""
+"""Diameter of the steel sphere that stands in for the pendulum [m]; its mass is 200 g. We found no published mass of
+the pendulum. With this one, drivers of usual size come out with up to 0.010 less restitution (ball ``modern``) than the
+rules pair with their characteristic time; with 227 g the difference would grow by another 0.003."""
 STRIKER_SPEED = "0.6 m/s"
-"""Speed of the sphere; the time hardly depends on it, since a mesh gives as a whole, with little local indentation."""
+"""Speed of the sphere; the time hardly depends on it: a mesh deforms as a whole, with little local indentation."""
 
 
 def restitution(
@@ -59,13 +59,13 @@ def restitution(
     Parameters
     ----------
     head
-        A head of shells. A rigid club shows what the ball alone loses.
+        A shell head. A rigid club gives the loss in the ball alone.
     ball
         The ball, as for :func:`clubface.fem.ball`.
     speed
-        Speed of approach [m/s]; the face normal at the face centre is level.
+        Approach speed [m/s]; the face normal at the face centre is horizontal.
     toe, high
-        Where the ball is struck [m]. If neither is given: in front of the CG, as the rules had it.
+        Point of impact [m]; default: in front of the CG, as in the former rules.
     friction, progress
         As for :func:`clubface.fem.throw`.
     safety, threads
@@ -74,8 +74,8 @@ def restitution(
     Returns
     -------
     float
-        The speed at which ball and head part along the normal of first touch, divided by the speed at which they met.
-        The speed of the head is that of a rigid body where it was touched. For an impact in front of the CG this is
+        Speed at which ball and head separate along the normal of first touch, divided by their approach speed. The
+        head's speed is that of the struck point of a rigid body. For an impact in front of the CG this is
         e = v (M + m) / (M V) - 1, for a ball of mass m that leaves with v and a head of mass M that arrives with V.
 
     Raises
@@ -120,12 +120,11 @@ def characteristic_time(
 ) -> float:
     """Return the characteristic time of a head [s]: how long the face takes to throw back a small steel sphere.
 
-    It is the time between 5% and 95% of the change of the sphere's speed. The rules allow 239 us with a tolerance of 18
-    us. They measure it with a special pendulum on a club that is held by its shaft, and extrapolate it to where local
-    indentation takes no time. Here a sphere of 200 g strikes a free head. The result compares designs and is no test of
-    conformity.
+    This is the time between 5% and 95% of the change in the sphere's speed. The rules allow 239 us with a tolerance of
+    18 us. Their test uses a special pendulum on a club held by its shaft, and extrapolates to the case without local
+    indentation; here a 200 g sphere strikes a free head. The result compares designs; it is not a conformity test.
 
-    A club that is described by its characteristic time has nothing to measure: its one spring stands for the face under
+    A club that is given by its characteristic time cannot be tested this way: a single spring represents its face under
     a ball, and a sphere, which presses at a point, would find it stiffer.
 
     Parameters
@@ -135,7 +134,7 @@ def characteristic_time(
     speed
         Speed of the sphere [m/s].
     toe, high
-        Where it strikes [m].
+        Point of impact [m].
     safety, threads, progress
         As for :func:`restitution`.
 
@@ -161,7 +160,7 @@ def _settings(threads: int, safety: float | None, interval: float = Settings.int
 
 
 def striker() -> Ball:
-    """Return the steel sphere; a mesh twice as fine would change the time on a driver by less than 1%."""
+    """Return the steel sphere; halving its element size would change a driver's time by less than 1%."""
     steel = Material.linear(200e9, 0.3, density=7850.0)
     return Ball(
         name="steel sphere", diameter=STRIKER_DIAMETER, pieces=(Piece(name="steel", material=steel, layers=4),), cube=8
@@ -169,7 +168,7 @@ def striker() -> Ball:
 
 
 def _crossing(time: Any, share: Any, level: float) -> float:
-    """Return when ``share`` first exceeds ``level``, by straight lines."""
+    """Return the time at which ``share`` first exceeds ``level``, by linear interpolation."""
     after = int(np.argmax(share > level))
     before = after - 1
     part = (level - share[before]) / (share[after] - share[before])
@@ -177,7 +176,7 @@ def _crossing(time: Any, share: Any, level: float) -> float:
 
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")
-"""Columns of the table, one row a point."""
+"""Columns of the table, one row per point."""
 MOST = 1_000
 
 
@@ -191,7 +190,7 @@ def face_map(
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Row]:
-    """Simulate restitution and characteristic time of a head at points of its face.
+    """Simulate restitution and characteristic time of a head at a grid of points on its face.
 
     Parameters
     ----------
@@ -200,21 +199,21 @@ def face_map(
     toes, highs
         Distances of the points from the face centre [m], towards the toe and upwards.
     ball
-        The ball for the restitution, as for :func:`clubface.fem.ball`.
+        Ball for the restitution test, as for :func:`clubface.fem.ball`.
     output
-        A CSV file. Points found in the file are not computed again, nor those that an interrupted run has finished.
+        A CSV file. Points already in it, including those of an interrupted run, are not computed again.
     workers
-        Number of points at a time, each on one core; the last points share the cores that are left. If left out: one
-        for each core.
+        Number of points computed at the same time, each on one core; the last points share the free cores. Default: one
+        per core.
     progress
-        Called with the number of points done and the number of points.
+        Called with the number of points done and the total.
 
     Returns
     -------
     list
-        One mapping of ``COLUMNS`` for each point, in the order of ``highs``, then ``toes``: the results of
+        One mapping of ``COLUMNS`` per point, in the order of ``highs``, then ``toes``: the results of
         :func:`clubface.fem.head_tests.restitution` and :func:`clubface.fem.head_tests.characteristic_time`. If a run
-        failed, both are NaN, and ``stopped`` says why.
+        failed, both are NaN and ``stopped`` gives the reason.
 
     Raises
     ------
@@ -225,10 +224,10 @@ def face_map(
     made, struck = meshed(head), ball_of(ball)
     points = [(float(toe), float(high)) for high in highs for toe in toes]
     if not 1 <= len(points) <= MOST:
-        raise InputError("the number of points of a face", len(points), f"1 to {MOST}")
+        raise InputError("number of points on the face", len(points), f"1 to {MOST}")
     with without_warnings(RangeWarning):
         for toe, high in points:
-            # A reduced model refuses points outside the face.
+            # The rigid-body model rejects points outside the face.
             impact(made.club, speed=COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
 
     points_of = {_millimetres(point): point for point in points}
@@ -244,7 +243,7 @@ def face_map(
             restored, stopped = math.nan, str(error)
         return dict(zip(COLUMNS, (*place, restored, units.from_si(time, "us"), stopped), strict=True))
 
-    # Rows are only reused if the tests were the same.
+    # Reuse rows only if the test conditions are the same.
     tests = [COR_SPEED, STRIKER_SPEED, striker().values()]
     content = {"head": made, "ball": struck.values(), "test": tests}
     columns: dict[str, Callable[[str], Any]] = {**dict.fromkeys(COLUMNS, float), "stopped": str}
@@ -253,13 +252,13 @@ def face_map(
 
 
 def _millimetres(point: tuple[float, float]) -> Place:
-    """Return a point [mm] as it was given: without the rounding of the way to m and back."""
+    """Return a point in mm as entered, without rounding errors from the conversion to m and back."""
     toe, high = (round(units.from_si(value, "mm"), 9) for value in point)
     return toe, high
 
 
 def face_result(rows: Sequence[Mapping[str, Any]], name: str) -> Result:
-    """Return the tests over the face of the head ``name``, the rows of :func:`face_map`, as a result."""
+    """Return the rows of :func:`face_map` for the head ``name`` as a result."""
     columns = columns_of(rows, COLUMNS, labels={"toe_mm": "to the toe", "high_mm": "above centre"})
     columns[-1] = text("stopped", [row["stopped"] for row in rows], printed=False)
     reasons = [note("text", text=each) for each in dict.fromkeys(row["stopped"] for row in rows if row["stopped"])]
@@ -270,7 +269,7 @@ def face_result(rows: Sequence[Mapping[str, Any]], name: str) -> Result:
 
 
 def face_picture(rows: Sequence[Mapping[str, Any]]) -> Picture:
-    """Return restitution and characteristic time over the face, seen from in front: the toe is on the right."""
+    """Plot restitution and characteristic time over the face as seen from the front, toe on the right."""
     toes, highs = (sorted({row[key] for row in rows}) for key in ("toe_mm", "high_mm"))
     x = Axis(label="towards the toe (mm)", names=[f"{each:g}" for each in toes])
     y = Axis(label="above the centre (mm)", names=[f"{each:g}" for each in highs])
@@ -286,7 +285,7 @@ def face_picture(rows: Sequence[Mapping[str, Any]]) -> Picture:
         marks = [Mark("cells", across[:, None] + corners[:, 0], up[:, None] + corners[:, 1],
                       values=units.to_si(shown, unit))]  # fmt: skip
         light = ~(shown <= least + 0.6 * (most - least))
-        for chosen, style in ((light, -2), (~light, -3)):  # black on the light end of the colours, white on the dark
+        for chosen, style in ((light, -2), (~light, -3)):  # black on light colours, white on dark ones
             words = [f"{each:{form}}" if np.isfinite(each) else "-" for each in shown[chosen]]
             marks.append(Mark("text", across[chosen], up[chosen], texts=words, style=style))
         panels.append(Panel(marks, x, y, title, grid=False))

@@ -1,4 +1,4 @@
-"""Finite element impacts and balls as results: launch and contact, histories, materials, pictures."""
+"""Finite element impacts and balls as results: launch and contact, histories, materials and pictures."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ from clubface.units import SI_UNITS, fixed, to_si
 __all__ = ["ball_result", "columns_of", "impact_result", "materials_table", "paper_result", "reference_result"]
 
 PRINTED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "spin_axis", "carry", "side", "apex")
-"""What is printed of launch and flight."""
+"""Quantities of launch and flight that are printed."""
 CONTACT = (
     "peak_force", "peak_force_time", "contact_time", "tangential_max", "tangential_min", "reversal_time", "spin_max",
     "contraction", "contraction_time", "f_prime", "f",
 )  # fmt: skip
-"""What is printed of the contact."""
+"""Quantities of the contact that are printed."""
 _STYLES: dict[str, dict[str, Any]] = {
     "launch": {"digits": 2}, "azimuth": {"digits": 2}, "peak_force": {"unit": "N", "digits": 0},
     "tangential_max": {"unit": "N", "digits": 0}, "tangential_min": {"unit": "N", "digits": 0},
@@ -44,14 +44,14 @@ _STYLES: dict[str, dict[str, Any]] = {
     "tangential_least_time": {"unit": "us", "digits": 0},
     "contraction": {"unit": "%", "digits": 1}, "f_prime": {"digits": 4}, "f": {"digits": 4},
 }  # fmt: skip
-"""How quantities are printed where that is not how the registry has them."""
+"""Print formats that differ from the quantity registry."""
 _HISTORIES = {"toe": "toe_force", "strain": "strain_energy", "friction": "friction_energy", "damping": "damping_energy"}
-"""Quantities of histories by key, where the key is the name of another quantity."""
+"""Quantities of histories whose key is the name of another quantity."""
 ROWS_SHOWN = 12
 
 
 def impact_result(impact: Impact, name: str = "", description: str = "") -> Result:
-    """Return an impact as a result; ``name`` and ``description`` are those of its case."""
+    """Return an impact as a result; ``name`` and ``description`` come from its case."""
     out = impact.outcome()
     numbers = {each: getattr(impact, each) for each in (*CONTACT, "energy_error", "steps", "step", "wall")}
     flown = impact.flown()
@@ -88,12 +88,12 @@ def impact_result(impact: Impact, name: str = "", description: str = "") -> Resu
 
 
 def column_of(name: str, values: Any, like: str | None = None, **options: Any) -> Column:
-    """Return a column of a quantity of the finite elements, printed as tables of impacts do."""
+    """Return a column of a finite element quantity, formatted as in tables of impacts."""
     return column(name, values, like, **{**_STYLES.get(name, {}), **options})
 
 
 _UNITS = {"mps": "m/s", "deg": "deg", "rpm": "rpm", "n": "N", "s": "s", "mm": "mm", "us": "us"}
-"""Units of numbers in rows, by the ending of their keys."""
+"""Units of numbers by the suffix of their keys."""
 
 
 def columns_of(
@@ -103,10 +103,9 @@ def columns_of(
     unit: str | None = None,
     labels: Mapping[str, str] | None = None,
 ) -> list[Column]:
-    """Return columns of those ``keys`` of rows, which end in a unit.
+    """Return columns for the ``keys`` of rows, whose suffixes give the units.
 
-    Speeds are printed in ``unit``, mph unless given; ``labels`` are headings by key, where they are not those of the
-    quantity.
+    Speeds are printed in ``unit``, default mph; ``labels`` override the headings of some keys.
     """
     columns = []
     for key in keys:
@@ -123,11 +122,11 @@ def columns_of(
 
 
 def cost_note(impact: Impact) -> Note:
-    """Return the cost of a run, and how well its energies balance."""
+    """Return the note on a run's cost and energy balance."""
     data = {"elements": impact.elements, "steps": impact.steps, "safety": impact.settings.safety, "wall": impact.wall,
             "energy_error": impact.energy_error}  # fmt: skip
     if impact.stopped and not impact.unfinished:
-        # A run that failed keeps what it had until energies were last in balance; its error is that of a later time.
+        # A failed run keeps the records up to its last good energy balance; its error is from a later time.
         return note("cost-of-failed-run", **data, last_time=float(impact.energy["time"][-1:].sum()))
     return note("cost-of-run", **data)
 
@@ -148,7 +147,7 @@ def _summary(impact: Impact, head: str, out: dict[str, float]) -> Iterator[Note]
 
 
 def _history(name: str, arrays: dict[str, Any]) -> Table:
-    """Return arrays over the same records as a table, a vector as three columns."""
+    """Return arrays over the same records as a table; vectors become three columns."""
     columns = []
     for each, values in arrays.items():
         known = _HISTORIES.get(each, each)
@@ -162,7 +161,7 @@ def _history(name: str, arrays: dict[str, Any]) -> Table:
 
 
 def materials_table(ball: Ball) -> Table:
-    """Return what a ball is made of, a value of a piece a row."""
+    """Return the materials of a ball as a table, one value of one piece per row."""
     rows: list[tuple[str, str, float, str]] = []
     values = ball.values()
     for piece, core in zip(ball.pieces, values["pieces"], strict=True):
@@ -198,7 +197,7 @@ LABELS = {
 
 
 def paper_result(runs: Mapping[str, Impact]) -> Result:
-    """Return runs of the case by the method of contact and the figures of Roh and Lee, as a result."""
+    """Return the figures of Roh and Lee, published and computed by each contact method, as a result."""
     rows = [PUBLISHED, *(paper_table(run) for run in runs.values())]
     first = next(iter(runs.values()))
     factors = [SPIN_FACTOR, *(spin_factor(run) for run in runs.values())]
@@ -225,7 +224,7 @@ def paper_result(runs: Mapping[str, Impact]) -> Result:
 
 
 def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact] = ()) -> Result:
-    """Return the reference case as a result, with what other solvers gave if ``published``, and on finer meshes."""
+    """Return the reference case as a result, with other solvers if ``published``, and finer meshes if given."""
     names, others = other_solvers() if published else ([], {})
     own = {
         "normal_velocity_mps": impact.normal_velocity, "tangential_velocity_mps": impact.tangential_velocity,
@@ -255,7 +254,7 @@ def reference_result(impact: Impact, *, published: bool, finer: Sequence[Impact]
 
 
 def ball_result(ball: Ball) -> Result:
-    """Return a meshed ball compared with what was asked for and the rules."""
+    """Return a meshed ball, compared with its specification and the rules, as a result."""
     meshed = ball.properties()
     diameter, solid = 2.0 * meshed["radius"], 0.4 * meshed["mass"] * meshed["radius"] ** 2
     conforms = meshed["mass"] <= BALL_MASS_LIMIT and diameter >= BALL_DIAMETER_LIMIT

@@ -1,9 +1,9 @@
-"""Published and reference cases: Roh and Lee's impacts, and a ball whose every constant is stated.
+"""Published and reference cases: Roh and Lee's impact, and a throw of a ball whose constants are all published.
 
 Roh and Lee: "Analysis of golf ball spin mechanism at impact by FEM".
 
-The reference case also bounds the error of an impact: by finer meshes, and by other solvers. An energy balance only
-checks the time steps: it is as good on a mesh that is far too coarse.
+The reference case also bounds the error of an impact, through finer meshes and other solvers. An energy balance checks
+the time steps alone: it is as good on a mesh that is far too coarse.
 """
 
 from __future__ import annotations
@@ -40,34 +40,34 @@ __all__ = [
 
 _ROH_LEE = Document.read(DATA / "published_impacts.toml").data["roh-lee"]
 PUBLISHED: dict[str, float] = _ROH_LEE["figures"]
-"""What Roh and Lee computed."""
+"""Figures computed by Roh and Lee."""
 LEAST_FACTOR: float = _ROH_LEE["least_factor"]
-"""The least compression factor they give."""
+"""The smallest compression factor in their paper."""
 SPEED, LOFT, RADIUS = (
     units.parse(_ROH_LEE["case"][name], dimension)
     for name, dimension in (("speed", "speed"), ("loft", "angle"), ("ball_radius", "length"))
 )
-"""Their case [m/s, rad, m]."""
+"""Speed [m/s], loft [rad] and ball radius [m] of their case."""
 SHAPES = 201
-"""Deformed shapes that are kept, one in 5 us, from which the spin of a section is found."""
+"""Number of recorded shapes, one every 5 us, from which the spin of a section is computed."""
 
 
 STORED = DATA / "fem_meshes.json"
-"""The reference case on meshes up to three times as fine, as ``make fem-figures`` computes it."""
+"""The reference case on meshes up to three times finer, as computed by ``make fem-figures``."""
 DEFAULT = 3
-"""Elements along an edge of the mesh of a ball's file, in thirds."""
+"""Refinement of the default mesh, in thirds of the element count along an edge."""
 
 
 def paper(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> Impact:
     """Run the case of Roh and Lee, or a variation of it."""
     chosen = case(source)
     if chosen.head == PLANE:
-        raise InputError("case", chosen.name, "a case with a head; for a throw at a plane use clubface fem run")
+        raise InputError("case", chosen.name, "a case with a head; run throws at a plane with clubface fem run")
     return chosen.replace(settings={"frames": max(SHAPES, chosen.settings.frames)}).run(progress)
 
 
 def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progress | None = None) -> dict[str, Impact]:
-    """Run the case by every method of contact, that of the case itself first; a run that stops is the last."""
+    """Run the case with every contact method, the case's own first; stop after a run that fails."""
     chosen, runs = case(source), dict[str, Impact]()
     for method in sorted(METHODS, key=lambda method: method != chosen.settings.contact):
         runs[method] = paper(chosen.replace(settings={"contact": method}), progress)
@@ -77,26 +77,26 @@ def by_contact(source: str | os.PathLike[str] | Case = "paper", progress: Progre
 
 
 def section_spin(impact: Impact) -> tuple[Floats, Floats]:
-    """Return times [s] and the spin of Roh and Lee (section 2.3): that of the nodes of one section [rad/s].
+    """Return times [s] and spin [rad/s] as Roh and Lee define it (section 2.3), from the nodes of one section.
 
-    The section holds the mass centre and the directions along the normal and up the face. Its spin is the rotation
-    about the toe direction that fits the velocities of its nodes best, every node alike. Velocities are differences of
-    the deformed shapes next in time, so the run must keep ``frames`` (every 5 us is enough: the spin of all nodes found
-    in this way is that of ``motion`` to 0.35 rad/s).
+    The section contains the mass centre, the normal and the direction up the face. Its spin is the rotation about the
+    toe direction that best fits the velocities of its nodes, equally weighted. Velocities are differences of
+    neighbouring recorded shapes, so the run must record ``frames``; one every 5 us is enough: the spin of all nodes
+    computed in this way agrees with ``motion`` to 0.35 rad/s.
     """
     if len(impact.frames) < 4:
-        raise InputError("frames", len(impact.frames), "4 or more; ask for them in the settings of the run")
+        raise InputError("frames", len(impact.frames), "4 or more; set frames in the settings of the run")
     section = abs(impact.ball.mesh["nodes"][:, 2]) < 1e-9
     if not section.any():
-        raise InputError("cube", impact.ball.cube, "even, or no nodes lie in the middle of the ball")
+        raise InputError("cube", impact.ball.cube, "even, so that nodes lie in the middle of the ball")
     return fitted_spin(impact, np.where(section, 1.0, 0.0))
 
 
 def fitted_spin(impact: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return times [s] and the spin about the toe direction that fits the velocities of weighted nodes [rad/s]."""
+    """Return times [s] and the spin about the toe direction that best fits the velocities of weighted nodes [rad/s]."""
     chosen = weights > 0.0
     share = weights[chosen] / weights.sum()
-    # The shape at the end of a run stands a step or so after the one before it, too near for a difference.
+    # The last shape of a run follows the one before by only a step or so, too close for a difference.
     times = impact.frame_times[:-1]
     shapes = impact.frames[:-1, chosen] @ impact.axes[:2].T
     shapes = shapes - np.einsum("n,tni->ti", share, shapes)[:, None]
@@ -107,25 +107,24 @@ def fitted_spin(impact: Impact, weights: NDArray[Any]) -> tuple[NDArray[Any], ND
 
 
 def node_average_speed(impact: Impact) -> float:
-    """Return the speed [m/s] of the mean of all nodes after the impact, every node alike.
+    """Return the speed after the impact [m/s] of the unweighted mean of all nodes.
 
-    Roh and Lee define the release velocity so (section 2.3), while that of a launch is the average over the mass. The
-    ball vibrates, so the mean position is followed from take-off to the end of the run, for which it must keep
-    ``frames``.
+    This is Roh and Lee's definition of release velocity (section 2.3); a launch uses the mass-weighted mean. Because
+    the ball vibrates, the mean position is tracked from take-off to the end of the run, which must record ``frames``.
     """
     after = impact.frame_times > impact.last_touch
     if after.sum() < 3:
-        raise InputError("frames", len(impact.frames), "3 or more after the impact; ask for them in the settings")
+        raise InputError("frames", len(impact.frames), "3 or more after the impact; set frames in the settings")
     places = impact.world_positions()[after].mean(axis=1)
     return float(np.linalg.norm(np.polyfit(impact.frame_times[after], places, 1)[0]))
 
 
 def table(impact: Impact) -> dict[str, float]:
-    """Return the computed values of Roh and Lee's figures, under the keys of ``PUBLISHED``, and some more.
+    """Return Roh and Lee's figures as computed, under the keys of ``PUBLISHED``, and some more.
 
-    ``spin_rpm`` is that of the launch, which is angular momentum over inertia; ``ball_spin_rpm`` and
-    ``section_spin_rpm`` fit the nodes of ball and section at take-off, ``node_speed_mps`` is that of the mean of all
-    nodes (both are left out of a run without frames), and ``rolling_spin_rpm`` has the ball roll off the face.
+    ``spin_rpm`` is the launch spin, angular momentum over inertia. ``ball_spin_rpm`` and ``section_spin_rpm`` fit the
+    nodes of ball and section at take-off, and ``node_speed_mps`` is the speed of the mean of all nodes; section and
+    node values are left out without frames. ``rolling_spin_rpm`` is the spin if the ball rolls off the face.
     """
     launch = impact.outcome()
     along, when = impact.relative_velocity()[:, 1], impact.motion["time"]
@@ -161,19 +160,19 @@ def table(impact: Impact) -> dict[str, float]:
 
 
 def _rolling_factor(spin: float, radius: float, along: float) -> float:
-    """Return the compression factor of Eq. (6): the ball rolls off the face that it met at ``along`` [m/s]."""
+    """Return the compression factor of Eq. (6): the ball rolls off a face it met with the speed ``along`` [m/s]."""
     return 7.0 * radius * spin / (5.0 * along)
 
 
 SPIN_FACTOR = _rolling_factor(units.to_si(PUBLISHED["section_spin_rpm"], "rpm"), RADIUS, SPEED * math.sin(LOFT))
-"""The factor of Eq. (6) that their spin means."""
+"""Compression factor that follows from their spin by Eq. (6)."""
 
 
 def spin_factor(impact: Impact) -> float:
     """Return the compression factor that follows from the backspin by equation 6 of Roh and Lee.
 
-    In that equation the ball rolls off the face. Roh and Lee derive their f from the forces instead, by equations 9 and
-    11. NaN for an impact without velocity along the face.
+    In this equation the ball rolls off the face; Roh and Lee obtain their f from forces instead, by equations 9 and 11.
+    NaN if the impact has no velocity along the face.
     """
     approach = sum(impact.relative_velocity()[:1, 1])
     if not approach > 0.0:
@@ -182,7 +181,7 @@ def spin_factor(impact: Impact) -> float:
 
 
 def figures(impact: Impact) -> dict[str, Any]:
-    """Return the table of a run, and what it cost."""
+    """Return the table of a run, and its cost."""
     cost = {"elements": impact.elements, "steps": impact.steps, "wall_s": impact.wall}
     return {**table(impact), "energy_error": impact.energy_error, **cost}
 
@@ -211,9 +210,9 @@ def reference(
     friction
         Coefficient of Coulomb friction.
     refine
-        How many times finer the mesh is along every edge.
+        Factor by which the mesh is refined along every edge.
     element
-        The kind of elements: "one-point" or "full".
+        Kind of elements: "one-point" or "full".
     settings, progress
         As for :func:`throw`.
     """
@@ -222,17 +221,17 @@ def reference(
 
 
 def other_solvers() -> tuple[list[str], dict[str, list[float]]]:
-    """Return the names of independent solvers, and their results, by quantity and unit."""
+    """Return the names of independent solvers, and their results by quantity and unit."""
     published = Document.read(DATA / "published_impacts.toml").data["reference"]
     return published["solvers"], published["figures"]
 
 
 class ErrorBounds(NamedTuple):
-    """Differences of ball speed and backspin from the reference case on the default mesh, as fractions."""
+    """Relative differences of ball speed and backspin from the reference case on the default mesh."""
 
-    speed_over_meshes: float  # from the default mesh to the finest one
+    speed_over_meshes: float  # between the default mesh and the finest one
     spin_over_meshes: float
-    speed_over_solvers: float  # the largest from an independent solver
+    speed_over_solvers: float  # largest difference from an independent solver
     spin_over_solvers: float
     elements: int  # of the finest mesh
 
@@ -240,7 +239,7 @@ class ErrorBounds(NamedTuple):
 def meshes(ball: Ball, thirds: Sequence[int]) -> list[Ball]:
     """Return a ball on meshes with ``thirds`` / 3 times as many elements along every edge.
 
-    The number of elements is rounded: an even one along the cube, and at least one layer in each piece.
+    Numbers of elements are rounded: an even number along the cube, and at least one layer per piece.
     """
     made = []
     for each in thirds:
@@ -263,13 +262,13 @@ def mesh_row(impact: Impact) -> dict[str, float]:
 
 @cache
 def stored_meshes() -> dict[str, Any]:
-    """Return the reference case on meshes, the coarsest first, and the commit whose code computed it."""
+    """Return the stored results of the reference case, coarsest mesh first, and the commit that computed them."""
     return json.loads(STORED.read_text(encoding="utf-8"))
 
 
 @cache
 def error_bounds() -> ErrorBounds:
-    """Return the differences of the finest mesh and of other solvers from the reference case."""
+    """Return the differences between the reference case on the default mesh, the finest mesh and other solvers."""
     rows = stored_meshes()["rows"]
     own = next(each for each in rows if each["thirds"] == DEFAULT)
     finest = max(rows, key=lambda each: each["elements"])
@@ -287,5 +286,5 @@ def error_bounds() -> ErrorBounds:
 
 
 def error_note() -> Note:
-    """Return the note on what bounds the error of a launch by finite elements."""
+    """Return the note on the error of a finite element launch."""
     return note("error-bounds", **error_bounds()._asdict())

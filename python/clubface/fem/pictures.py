@@ -1,4 +1,4 @@
-"""Pictures of finite element impacts: histories, contact patch, models side by side, and the case of Roh and Lee."""
+"""Plots of finite element impacts: histories, contact patch, comparison of models, and the case of Roh and Lee."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = [
 ]  # fmt: skip
 
 EVERY = 120e-6
-"""From one picture of the contact patch to the next [s]."""
+"""Time between plots of the contact patch [s]."""
 ENERGIES = {
     "strain": "elastic", "viscous": "viscous", "plastic": "plastic", "friction": "friction", "damping": "damping",
     "hourglass": "hourglass", "contact": "contact springs",
@@ -34,7 +34,7 @@ LEVEL = Mark("rule", y=0.0, style=-1)
 
 
 def impact_picture(impact: Impact) -> Picture:
-    """Return force, spin, effective radius and energies of an impact over time."""
+    """Plot force, spin, effective radius and energies of an impact over time."""
     contact, motion, time = impact.contact, impact.motion, time_axis(impact)
     top, low = float(np.max(contact["normal"], initial=0.0)), float(np.min(contact["tangential"], initial=0.0))
     force = Panel(
@@ -52,7 +52,7 @@ def impact_picture(impact: Impact) -> Picture:
     energies = [
         *(Mark("stack", energy["time"], values, style=style, label=ENERGIES[key])
           for (key, values), style in zip(shown.items(), (0, 6, 5, 1, 2, 3, 4), strict=False)),
-        Mark("line", energy["time"], missing, style=-2, label="kinetic, given up"),
+        Mark("line", energy["time"], missing, style=-2, label="loss of kinetic energy"),
     ]  # fmt: skip
     most = 1.8 * max(float(np.max(missing, initial=0.0)), 1e-12)
     balance = Panel(
@@ -63,9 +63,9 @@ def impact_picture(impact: Impact) -> Picture:
 
 
 def patch_picture(impact: Impact) -> Picture:
-    """Return normal and tangential forces over the contact patch, as figure 5 of Roh and Lee.
+    """Plot normal and tangential forces over the contact patch every 0.12 ms, as in figure 5 of Roh and Lee.
 
-    The moments are 0.12 ms apart. Positive tangential forces make backspin, negative ones take it away.
+    Positive tangential forces create backspin, negative ones reduce it.
     """
     patch = impact.patch
     moments = np.unique(patch["time"])
@@ -93,7 +93,7 @@ def patch_picture(impact: Impact) -> Picture:
 
 
 def time_axis(impact: Impact) -> Axis:
-    """Return the axis of time: to some time after the last touch, or to the end of the run."""
+    """Return a time axis that ends shortly after the last touch, or at the end of the run."""
     last = float(np.max(impact.contact["time"], initial=0.0))
     return axis("time", unit="us", limits=(0.0, max(min(1.25 * impact.last_touch, last) or last, 1e-9)))
 
@@ -104,15 +104,15 @@ def _radius_axis(impact: Impact, least: float | None = None) -> Axis:
 
 
 def _round(impact: Impact) -> Mark:
-    """Return the line of the radius of the undeformed ball."""
+    """Return a line at the radius of the undeformed ball."""
     return Mark("rule", y=0.5 * impact.ball.diameter, style=-1)
 
 
 def models_picture(impact: Impact) -> Picture:
-    """Return forces, the velocity of the ball along the face and its distance from the face, by every contact model.
+    """Plot the forces, and the ball's velocity along and distance from the face, for every contact model.
 
-    The contact models strike the same ball with the same head as a rigid body, and have the parameters published for
-    its kind of club.
+    The contact models use the same ball and the rigid equivalent of the head, with the parameters published for its
+    kind of club.
 
     Parameters
     ----------
@@ -138,18 +138,16 @@ def models_picture(impact: Impact) -> Picture:
 
 
 def contacts(impact: Impact) -> dict[str, History]:
-    """Return the same impact by every contact model."""
+    """Compute the same impact with every contact model."""
     if impact.equipment is None:
-        raise InputError(
-            "impact", Wording("one with a plane"), "one with a head, which the contact models can strike with"
-        )
+        raise InputError("impact", Wording("one with a plane"), "one with a head, as the contact models need")
     club, ball = impact.equipment
     named = [name for name, each in models().items() if each.kind == "contact"]
     return {name: history(club, impact.given, model=name, ball=ball) for name in named}
 
 
 def _model_curves(impact: Impact, contact: History) -> list[tuple[Any, Any]]:
-    """Return the curves of a contact model; directions along the face are those of first touch."""
+    """Return the curves of a contact model, with directions along the face as at first touch."""
     assert impact.equipment is not None
     sliding = (contact.ball_velocity - contact.club_velocity) @ (impact.attitude @ impact.axes[1])
     distance = impact.equipment[1].radius - contact.penetration
@@ -157,14 +155,14 @@ def _model_curves(impact: Impact, contact: History) -> list[tuple[Any, Any]]:
 
 
 def paper_picture(runs: Mapping[str, Impact]) -> Picture:
-    """Return velocities, forces, spin and effective radius over time, as figures 3, 4, 6 and 7 of Roh and Lee.
+    """Plot velocities, forces, spin and effective radius over time, as in figures 3, 4, 6 and 7 of Roh and Lee.
 
-    Their numbers are marked.
+    Their values are marked.
 
     Parameters
     ----------
     runs
-        Runs of their case, or of one like it, by what the legend calls them.
+        Runs of their case or a similar one, by label in the legend.
     """
     first = next(iter(runs.values()))
     time, last = time_axis(first), first.last_touch
@@ -196,12 +194,12 @@ def _published(x: Sequence[Any], y: Sequence[float]) -> Mark:
 
 
 def _paper_curves(impact: Impact) -> Iterator[tuple[str, str, int, Any, Any]]:
-    """Yield panel, label, style, times and values of the curves of a run."""
+    """Yield panel, label, style, times and values of each curve of a run."""
     contact, motion, velocity = impact.contact, impact.motion, impact.world_velocity()
     when = motion["time"]
     yield "speed", "ball", 0, when, np.linalg.norm(velocity, axis=1)
     yield "speed", "clubhead", 1, when, np.linalg.norm(impact.world_club_velocity(), axis=1)
-    # At first touch the ball rests and has no direction.
+    # The ball is at rest at first touch and has no direction.
     yield "launch", "ball", 0, when[1:], np.arctan2(velocity[1:, 1], np.hypot(velocity[1:, 0], velocity[1:, 2]))
     yield "force", "ball", 0, contact["time"], contact["normal"]
     yield "radius", "ball", 0, when, motion["radius"]
@@ -213,14 +211,14 @@ def _paper_curves(impact: Impact) -> Iterator[tuple[str, str, int, Any, Any]]:
 
 
 def sweep_picture(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Picture:
-    """Return ball speed, launch angle, spin and compression factor over speed and loft, as figure 8 of Roh and Lee.
+    """Plot ball speed, launch angle, spin and compression factor over speed and loft, as in figure 8 of Roh and Lee.
 
     Parameters
     ----------
     rows
         The rows of :func:`clubface.fem.sweep.sweep`.
     published
-        Whether to mark their numbers: the case of 35 m/s and 11.5 deg, and the least compression factor.
+        Whether to mark their values: the case of 35 m/s and 11.5 deg, and the smallest compression factor.
     """
     panels = []
     for key, marked, y in (

@@ -1,4 +1,4 @@
-"""A finite element impact compared with the simple models and with Arakawa's friction by contact area."""
+"""A finite element impact compared with the simple models and with Arakawa's law of friction by contact area."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ from clubface.support.checks import without_warnings
 __all__ = ["AreaTerm", "Equivalent", "area_term", "equivalent"]
 
 LAWS = {"volumetric": ("stiffness", "damping"), "rings": ("shear_modulus", "damping")}
-"""Reduced models whose normal force has a stiffness and a damping, and the names of these."""
+"""Simple models whose normal force has a stiffness and a damping, with the names of these two parameters."""
 ROUNDS = 12
-"""Most Newton steps."""
+"""Maximum number of Newton steps."""
 ACCURACY = 1e-6
-"""Relative difference of ball speed and peak force that counts as none."""
+"""Relative tolerance for ball speed and peak force."""
 
 
 class Equivalent(NamedTuple):
-    """A simple model with the stiffness and damping of a finite element impact.
+    """A simple model with stiffness and damping fitted to a finite element impact.
 
     Attributes
     ----------
     model
-        Name of the model.
+        Name of the simple model.
     parameters
-        The two fitted parameters; the others are the published ones.
+        The two fitted parameters; the others keep their published values.
     time
-        Times at which the forces are compared [s].
+        Times at which forces are compared [s].
     force, reference
-        Normal force of the simple model and of the finite elements [N], averaged over a tenth of the contact.
+        Normal force of the simple model and of the finite elements [N], smoothed over a tenth of the contact.
     error
-        Root mean square of their difference over the contact, divided by the peak.
+        Root mean square difference of the two forces over the contact, relative to the peak.
     contact_time, reference_contact_time
-        Contact times of both [s].
+        Contact times of the simple model and of the finite elements [s].
     """
 
     model: str
@@ -54,9 +54,9 @@ class Equivalent(NamedTuple):
 
 
 def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
-    """Return a simple model that has the ball speed and the peak force of a finite element impact.
+    """Fit a simple model to the ball speed and peak force of a finite element impact.
 
-    These two figures determine stiffness and damping. The course of the force and its duration are then predictions.
+    These two figures determine stiffness and damping; the shape and duration of the force are then predictions.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     Raises
     ------
     InputError
-        The impact was with a plane or ended early, or the model has no such parameters.
+        The impact was with a plane or ended early, or the model has no stiffness and damping.
     """
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
@@ -83,9 +83,9 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     place = np.log([float(set_.values[name]) for name in names])
 
     def figures(at: Any) -> Any:
-        """Logarithms of ball speed and peak force at three sets of parameters at once."""
+        """Return the logarithms of ball speed and peak force at three sets of parameters."""
         given = {name: np.exp(values) for name, values in zip(names, np.transpose(at), strict=True)}
-        with without_warnings(RangeWarning):  # the parameters are made for this impact
+        with without_warnings(RangeWarning):  # parameters fitted to this impact may leave the model's range
             launch = impact(club, run.given, model=model, parameters=given, ball=ball)
         return np.log(np.stack([launch.ball_speed, launch.peak_force], axis=-1))
 
@@ -97,7 +97,7 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
         slopes = (values[1:] - values[0]).T / 1e-4
         place = place - np.clip(np.linalg.solve(slopes, values[0] - wanted), -0.5, 0.5)
     else:
-        raise InputError("impact", run, f"one that {model} can reach with positive stiffness and damping")
+        raise InputError("impact", run, f"one that {model} can reproduce with positive stiffness and damping")
     parameters = {name: float(value) for name, value in zip(names, np.exp(place), strict=True)}
     with without_warnings(RangeWarning):
         over = history(club, run.given, model=model, parameters=parameters, ball=ball)
@@ -108,10 +108,10 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
 
 
 def _averaged(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
-    """Return a history of the contact averaged over a tenth of the contact.
+    """Smooth a history of the contact with a moving average over a tenth of the contact.
 
-    A mesh touches node by node, a reduced model all at once: what differs within the time between two rings of nodes is
-    not the law of force.
+    A mesh makes contact node by node, a simple model all at once: differences within the time between two rings of
+    nodes say nothing about the force law.
     """
     time = run.contact["time"]
     width = max(3, int(0.1 * run.contact_time / (time[1] - time[0])) | 1)
@@ -119,38 +119,38 @@ def _averaged(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
 
 
 def _normal_force(run: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return times within the contact and the averaged normal force there."""
+    """Return the times within the contact and the smoothed normal force."""
     within = run.contact["time"] <= run.contact_time
     return run.contact["time"][within], _averaged(run, run.contact["normal"])[within]
 
 
 SLIDES = 0.1
-"""The ball slides where its surface moves faster than this along the face [m/s]; the law's tanh is then 1."""
+"""Surface speed along the face above which the ball counts as sliding [m/s]; the law's tanh is then 1."""
 WITHIN = (0.05, 0.95)
-"""Share of the contact that is used: at both ends a few nodes make the area."""
+"""Fraction of the contact used in the fit: at either end only a few nodes make up the area."""
 LEAST = 20
-"""Fewest steps of sliding to which the law is fitted."""
+"""Minimum number of sliding steps for a fit."""
 
 
 class AreaTerm(NamedTuple):
-    """The law F = mu F_N + mu eta dA/dt as far as a run of finite elements follows it.
+    """How well the law F = mu F_N + mu eta dA/dt describes a finite element run.
 
     Attributes
     ----------
     sliding
-        Share of the contact in which the ball slides.
+        Fraction of the contact in which the ball slides.
     damping
-        eta [N s/m2] that fits F - mu F_N best while it slides, with the friction of the run for mu; NaN if it hardly
+        Best fit of eta [N s/m2] to F - mu F_N while sliding, with the run's friction as mu; NaN if the ball hardly
         slides.
     explained
-        Share of the squares of F - mu F_N that the term explains there.
+        Fraction of the sum of squares of F - mu F_N that the area term then explains.
     free_friction, free_damping, free_explained
-        mu and eta that fit F best over the whole contact, and the share of its squares that they explain.
+        Best fits of mu and eta to F over the whole contact, and the fraction of its sum of squares that they explain.
     time, normal, tangential, area, rate
-        Times within the contact [s], both forces [N], area [m2] and its rate [m2/s], averaged over a tenth of the
-        contact.
+        Times within the contact [s], normal and tangential force [N], area [m2] and its rate [m2/s], smoothed over a
+        tenth of the contact.
     sinking
-        The loss of the distance from mass centre to face at these times, the d of A = pi R d [m].
+        Decrease of the distance from mass centre to face at these times [m], d in A = pi R d.
     """
 
     sliding: float
@@ -168,13 +168,13 @@ class AreaTerm(NamedTuple):
 
 
 def area_term(run: Impact) -> AreaTerm:
-    """Return how Arakawa's law, as the model ``area`` has it, describes a finished impact.
+    """Fit Arakawa's law, in the form of the model ``area``, to a complete impact.
 
-    Finite elements have Coulomb's friction at every node and no term of the area, so what comes out is what elastic
-    grip looks like through this law.
+    Finite elements have Coulomb friction at every node and no area term, so the fit shows how elastic grip appears in
+    terms of this law.
     """
     if run.stopped is not None or not run.contact_time > 0.0:
-        raise InputError("impact", run, "a complete one")
+        raise InputError("impact", run, "a complete impact")
     over = run.contact["time"]
     last, motion = run.contact_time, run.motion
     area = _averaged(run, run.contact["area"])
@@ -199,7 +199,7 @@ def area_term(run: Impact) -> AreaTerm:
 
 
 def _fit(columns: Any, wanted: Any) -> tuple[list[float], float]:
-    """Return the factors of columns that fit best, and the share of the squares that they explain."""
+    """Return the least-squares coefficients of the columns, and the fraction of the sum of squares they explain."""
     factors = np.linalg.lstsq(columns, wanted, rcond=None)[0]
     left = wanted - columns @ factors
     return factors.tolist(), float(1.0 - (left @ left) / (wanted @ wanted))

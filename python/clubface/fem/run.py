@@ -1,6 +1,6 @@
-"""Impacts by finite elements: a ball thrown at a rigid plane, or struck by a club; and exact derivatives of a launch.
+"""Finite element impacts: a ball thrown at a rigid plane or struck by a club, and exact derivatives of the launch.
 
-Derivatives are those of the same code, which runs on numbers with derivatives.
+Derivatives come from the same code, run on dual numbers.
 """
 
 from __future__ import annotations
@@ -41,21 +41,21 @@ AnyBall = str | os.PathLike[str] | Ball | RigidBall | None
 
 FRICTION = Parameter(
     "friction", "1", "Coulomb's coefficient between ball and face", FRICTION_OF_A_BALL, *FRICTION_LIMITS,
-    "that of the ball, unless it is given; 0.3 to 0.4 are measured",
+    "default: the ball's; measured values are 0.3 to 0.4",
 )  # fmt: skip
 
 THROW_SPEEDS = (0.01, 150.0)
-"""Speeds at which a ball may be thrown [m/s]."""
+"""Limits for the speed of a thrown ball [m/s]."""
 THROW_ANGLES = (0.0, units.parse("80 deg", "angle"))
-"""Angles between its velocity and the normal of the plane [rad]."""
+"""Limits for the angle between its velocity and the plane's normal [rad]."""
 
 
 def simulate(
     ball: Ball, face: Mapping[str, Any], friction: float, *, how: Settings, progress: Progress | None = None
 ) -> tuple[FemImpact, Settings]:
-    """Run an impact; if elements fail and the settings leave the step open, run it again with shorter steps.
+    """Run an impact; if elements fail and the settings leave the step open, repeat it with shorter steps.
 
-    ``face`` is what the ball meets, as the core takes it. Returns the record, and the settings that led to it.
+    ``face`` is what the ball strikes, in the core's format. Returns the record and the settings that produced it.
     """
 
     def run(safety: float | None) -> FemImpact:
@@ -85,7 +85,7 @@ def throw(
     Parameters
     ----------
     ball
-        A built-in ball of pieces, the path of a TOML file, or a :class:`Ball`; ``modern`` unless given.
+        A built-in ball of pieces, the path of a TOML file, or a :class:`Ball`; default ``modern``.
     speed
         Speed [m/s], or text with a unit.
     angle
@@ -93,7 +93,7 @@ def throw(
     friction
         Coefficient of Coulomb friction; default: the ball's.
     settings
-        How to run the impact.
+        Settings of the run.
     progress
         Called with simulated time and duration [s].
     """
@@ -105,12 +105,12 @@ def throw(
 
 
 def case(ball: Ball, face: Mapping[str, Any], friction: float, how: Settings) -> dict[str, Any]:
-    """Return a case as the core takes it."""
+    """Return a case in the core's format."""
     return {"ball": ball.values(), "face": face, "friction": friction, "run": how.values()}
 
 
 def throw_values(speed: float | str, angle: float | str) -> tuple[float, float]:
-    """Return speed [m/s] and angle [rad] of a throw, checked."""
+    """Check speed and angle of a throw and return them [m/s, rad]."""
     v = units.parse(speed, "speed", name="speed")
     if not THROW_SPEEDS[0] <= v <= THROW_SPEEDS[1]:
         raise InputError("speed", units.show(v, "m/s"), "{:g} to {:g} m/s".format(*THROW_SPEEDS))
@@ -132,15 +132,15 @@ def strike(
     progress: Progress | None = None,
     **values: float | str | None,
 ) -> Impact:
-    """Hit a ball with a head: the rigid head of a club, or a meshed head.
+    """Strike a ball with a head: the rigid head of a club, or a meshed head.
 
     Parameters
     ----------
     club
-        A club as for :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`). The file of a meshed head
-        is that head.
+        A club as for :func:`clubface.impact`, or a meshed head (:func:`clubface.fem.head`). The path of a meshed head's
+        file gives the meshed head.
     delivery, **values
-        The delivery, as for :func:`clubface.impact`, for one shot.
+        The delivery of one shot, as for :func:`clubface.impact`.
     ball, friction, settings, progress
         As for :func:`throw`.
     """
@@ -155,33 +155,33 @@ def strike(
     if record.over_edge and not record.failed:
         toe, high = (units.show(units.parse(given.get(name, 0.0), "length"), "mm") for name in ("toe", "high"))
         warn_once(
-            f"struck {toe} to the toe and {high} above the centre, the ball reached round the edge of the face, where "
-            "contact ends, so that its launch is in doubt; strike nearer the face centre",
+            f"struck {toe} to the toe and {high} above the centre, the ball reached beyond the edge of the face, where "
+            "contact ends, so its launch is uncertain; strike nearer the face centre",
             EdgeWarning,
         )
     return Impact(record, made, given, mu, used, shot, head)
 
 
 def face_of(head: MeshedHead | None, club: Club, inputs: list[float]) -> dict[str, Any]:
-    """Return the head that hits a ball, as the core takes it: a mesh or, without one, the rigid head of the inputs.
+    """Return the head that strikes the ball, in the core's format: a mesh, or else the rigid head of the inputs.
 
     Raises
     ------
     InputError
-        An input would change what the mesh says of the club.
+        An input contradicts the mesh.
     """
     if head is None:
         return {"head": {"inputs": inputs}}
     own = club.inputs()
     for name, value in zip(input_columns(), inputs, strict=True):
-        # Left hands are mirrored; the time of the face is for models that take the head as rigid.
+        # Left hands are mirrored; the characteristic time is for models with a rigid head.
         if name in own and name not in ("hand", "characteristic_time") and value != own[name]:
-            raise InputError(name, value, f"left out: the mesh of {head.name} says it")
+            raise InputError(name, value, f"left out; the mesh of {head.name} determines it")
     return {"head": {"inputs": inputs, "mesh": head.values()}}
 
 
 def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], made: Ball) -> Shots:
-    """Return the shot as the core takes it."""
+    """Return a single shot for the core."""
     if isinstance(club, str) and club in head_names() and club not in builtin_names("clubs"):
         raise InputError("club", club, f'a club; the meshed head of this name is clubface.fem.head("{club}")')
     for name, value in delivery.items():
@@ -191,7 +191,7 @@ def one_shot(club: str | os.PathLike[str] | Club, delivery: Mapping[str, Any], m
 
 
 def inputs_of(shot: Shots) -> list[float]:
-    """Return the inputs of one shot in the order of the core."""
+    """Return the inputs of one shot in the core's order."""
     return [float(value) for value in shot.columns]
 
 
@@ -204,11 +204,11 @@ class Derivatives(NamedTuple):
     Attributes
     ----------
     values
-        Launch quantities by name [SI]. Contact time and peak force have no derivatives and are NaN.
+        Launch quantities by name [SI]. Contact time and peak force have no derivatives here and are NaN.
     variables
         Names of the variables.
     jacobian
-        Derivatives [SI], shape (launch quantities, variables).
+        Derivatives [SI], shape (number of launch quantities, number of variables).
     """
 
     values: dict[str, float]
@@ -216,7 +216,7 @@ class Derivatives(NamedTuple):
     jacobian: NDArray[Any]
 
     def by(self, quantity: str, variable: str) -> float:
-        """Return the derivative of one quantity by one variable [SI]."""
+        """Return the derivative of one quantity with respect to one variable [SI]."""
         names = list(self.values)
         check_choice("quantity", quantity, names)
         check_choice("variable", variable, self.variables)
@@ -225,13 +225,13 @@ class Derivatives(NamedTuple):
 
 @renamed_arguments(which="ball")
 def variables(club: str | os.PathLike[str] | Club | MeshedHead, *, ball: AnyBall = None) -> list[str]:
-    """Return the variables of a launch's derivatives: delivery, club, friction, and constants of the ball.
+    """Return the variables by which a launch can be differentiated: delivery, club, friction and the ball's constants.
 
-    A piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants of
-    its file (Poisson's ratio stays the same), "poisson" and "bulk" (the elastic constants stay the same), "density",
-    and "maxwell.0.modulus", "maxwell.0.time" and so on. A part of a head of shells has its mean "thickness", as in
-    "head.face.thickness", and "youngs", "poisson" and "density". The mesh of such a head stays as it is, and its club
-    is no variable.
+    Each piece of the ball has its outer "radius" (a smaller "core.radius" means a thicker cover), the elastic constants
+    in its file (at constant Poisson's ratio), "poisson" and "bulk" (at constant elastic constants), "density", and
+    "maxwell.0.modulus", "maxwell.0.time" and so on. Each part of a shell head has its mean "thickness", such as
+    "head.face.thickness", "youngs", "poisson" and "density". The mesh of such a head is fixed, and the properties of
+    its club are not variables.
     """
     made, head, rigid = ball_of(ball), *_head_of(club)
     inputs = inputs_of(one_shot(rigid, {"speed": 1.0}, made))
@@ -242,7 +242,7 @@ def variables(club: str | os.PathLike[str] | Club | MeshedHead, *, ball: AnyBall
 
 
 def _slopes(made: Ball, name: str) -> dict[str, float]:
-    """Return what a variable does to those of the core, by name: its constants leave the bulk modulus alone."""
+    """Return the core variables that a variable changes, with their slopes; the core holds the bulk modulus fixed."""
     for piece in made.pieces:
         bulk, key = f"{piece.name}.bulk", name.removeprefix(f"{piece.name}.")
         material = piece.material
@@ -255,9 +255,9 @@ def _slopes(made: Ball, name: str) -> dict[str, float]:
 
 
 def _head_of(club: str | os.PathLike[str] | Club | MeshedHead) -> tuple[dict[str, Any] | None, Any]:
-    """Return the mesh of a head of shells as the core takes it, and the rigid club."""
+    """Return the mesh of a shell head in the core's format, or None, and the rigid club."""
     if isinstance(club, MeshedHead) and not isinstance(club, ShellHead):
-        raise InputError("club", club.name, "a club, whose head is rigid, or a head of shells")
+        raise InputError("club", club.name, "a club (with a rigid head) or a shell head")
     return (club.values(), club.club) if isinstance(club, ShellHead) else (None, club)
 
 
@@ -273,16 +273,16 @@ def sensitivity(
     progress: Progress | None = None,
     **values: float | str | None,
 ) -> Derivatives:
-    """Differentiate the launch of one impact.
+    """Differentiate the launch of one impact with respect to some variables.
 
     Parameters
     ----------
     club, delivery, **values, ball, friction, settings
-        As for :func:`clubface.fem.strike`. If left out, the settings end the run soon after the last touch.
+        As for :func:`clubface.fem.strike`. By default the run ends soon after the last touch.
     by
-        Names of variables, see :func:`variables`. Every four of them take one run.
+        Names of variables, see :func:`variables`. Each run covers four of them.
     progress
-        Called with the number of runs done, in fractions, and the number of runs.
+        Called with the number of runs done, fractions included, and the total.
     """
     made = ball_of(ball)
     mu = friction_of(friction, made)
@@ -299,7 +299,7 @@ def sensitivity(
         return core.fem_sensitivity(one, directions, lambda number, time, whole: watch(number + time / whole, runs))
 
     def with_first_of(safeties: Sequence[float | None]) -> tuple[Any, Any]:
-        """Return launch and derivatives by the first time step with which no element fails."""
+        """Return launch and derivatives with the first time step at which no element fails."""
         one["run"]["safety"] = safeties[0]
         try:
             return core_call(all_runs, progress=progress)

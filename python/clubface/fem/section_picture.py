@@ -1,4 +1,4 @@
-"""The deformed section of ball and head through the face normal and up the face: a row of moments, or moving."""
+"""Plots of the deformed ball and head in the section through the normal and up the face: moments, or an animation."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ __all__ = ["Section", "moving_section", "section_picture"]
 
 
 class SectionOutline:
-    """Where the plane z = 0 cuts the shells of a head, in the axes of first touch.
+    """Section of a shell head with the plane z = 0 in the axes of first touch.
 
-    The cut is found in the shape of first touch and goes through the same material at all times.
+    The section is cut at first touch and follows the same material points at all times.
     """
 
     def __init__(self, head: ShellHead, places: NDArray[Any]) -> None:
         quads = head.quads.astype(int)
         starts, ends = quads, np.roll(quads, -1, axis=1)
         low, high = places[starts, 2], places[ends, 2]
-        # A node on the plane belongs to the side below, so that every cut has two ends.
+        # Nodes on the plane count as below it, so that every cut has two ends.
         crossed = (low > 0.0) != (high > 0.0)
         cut = crossed.sum(axis=1) == 2
         sides = np.argsort(~crossed[cut], axis=1, kind="stable")[:, :2]
@@ -40,21 +40,21 @@ class SectionOutline:
         self.thickness = head.thickness[cut]
 
     def at(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Return the cuts as segments, (n, 2, 3) [m], for the places of the nodes."""
+        """Return the cuts as segments (n, 2, 3) [m] for given node positions."""
         first, second = (places[each] for each in self._ends)
         return first + self._share * (second - first)
 
 
 class Section:
-    """The mesh in the plane through the ball's axis of first touch and the direction up the face, at ``times`` [s]."""
+    """Section of the deformed mesh in the plane of the normal and the direction up the face, at ``times`` [s]."""
 
     def __init__(self, impact: Impact) -> None:
         if not len(impact.frames):
-            raise InputError("frames", 0, "1 or more; ask for them in the settings of the run")
+            raise InputError("frames", 0, "1 or more; set frames in the settings of the run")
         mesh = impact.ball.mesh
         faces = mesh["elements"].astype(int)[:, HEXAHEDRON_SIDES].reshape(-1, 4)
         quads = faces[(abs(mesh["nodes"][faces, 2]) < 1e-9).all(axis=1)]
-        # Each quadrangle belongs to the elements on both sides of the plane.
+        # Each quadrilateral occurs twice, in the elements on either side of the plane.
         _, first = np.unique(np.sort(quads, axis=1), axis=0, return_index=True)
         self._quads = quads[first]
         self._masses = node_masses(mesh)
@@ -66,24 +66,24 @@ class Section:
         self.times = impact.frame_times
 
     def at(self, frame: int) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Return corners of the quadrangles [m], (n, 4, 2), and how far each is compressed, 0 to 1.
+        """Return the corners of the quadrilaterals [m], (n, 4, 2), and the compression of each, 0 to 1.
 
-        The face is the line of zero in the first coordinate; the second is up the face, in the frame in which the
-        clubhead rests at first touch.
+        The first coordinate is the distance from the face, the second points up the face, in the frame in which the
+        clubhead is at rest at first touch.
         """
         places, first = (self._impact.frames[each] @ self._impact.axes.T for each in (frame, 0))
         corners = (places[:, :2] + self._shift(frame))[self._quads]
         return corners, _compression(first[:, :2][self._quads], corners)
 
     def head_at(self, frame: int) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Return the cuts through a head of shells [m], (n, 2, 2), and their thickness [m]; none of a rigid head."""
+        """Return the cuts through a shell head [m], (n, 2, 2), and their thickness [m]; empty for a rigid head."""
         if self._head is None:
             return np.zeros((0, 2, 2)), np.zeros(0)
         cuts = self._head.at(self._from_touch(self._impact.head_frames[frame]))[..., :2]
         return cuts - self._from_touch(np.zeros(3))[:2] + self._shift(frame), self._head.thickness
 
     def walls_at(self, frame: int) -> NDArray[Any]:
-        """Return the cuts through a head of shells as quadrangles of their thickness [m], (n, 4, 2)."""
+        """Return the cuts through a shell head as quadrilaterals of the wall thickness [m], (n, 4, 2)."""
         cuts, thickness = self.head_at(frame)
         along = cuts[:, 1] - cuts[:, 0]
         across = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.linalg.norm(along, axis=1, keepdims=True)
@@ -91,7 +91,7 @@ class Section:
         return np.stack([cuts[:, 0] + half, cuts[:, 1] + half, cuts[:, 1] - half, cuts[:, 0] - half], axis=1)
 
     def panel(self, frame: int, colours: Axis) -> Panel:
-        """Return the section at one moment, coloured by compression."""
+        """Return the section at one moment, coloured by compression, as a panel."""
         corners, compression = self.at(frame)
         walls, radius = self.walls_at(frame), 0.5 * self._impact.ball.diameter
         marks = [Mark("cells", corners[..., 0], corners[..., 1], values=compression, label="ball")]
@@ -106,18 +106,18 @@ class Section:
         return Panel(marks, x, y, title, equal=True, values=colours, grid=False)
 
     def colours(self, frames: Iterable[int]) -> Axis:
-        """Return the scale of compression of some moments, which ends at a multiple of a tenth."""
+        """Return a colour scale for the compression in these frames, rounded up to a multiple of 10%."""
         most = 0.1 * max(1.0, float(np.ceil(max(self.at(frame)[1].max() for frame in frames) * 10.0)))
         return axis("compression", like="1", unit="%", limits=(0.0, most))
 
     def _from_touch(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Return places in the axes of first touch, the plane of the picture at zero of the third."""
+        """Return positions in the axes of first touch, with the plotted plane at z = 0."""
         impact = self._impact
         middle = self._masses @ (impact.frames[0] @ impact.axes.T)
         return places @ impact.axes.T - [0.0, 0.0, middle[2]]
 
     def _shift(self, frame: int) -> NDArray[Any]:
-        """Return what is added to places along normal and up to put the face at zero and the clubhead at rest [m]."""
+        """Return the shift along normal and up [m] that puts the face at zero and the clubhead at rest."""
         impact, time = self._impact, self.times[frame]
         centre, start = (self._masses @ (impact.frames[each] @ impact.axes.T) for each in (frame, 0))
         height = centre[1] - start[1] - impact.frame_velocity[1] * time
@@ -126,17 +126,17 @@ class Section:
 
 
 def _compression(rest: NDArray[Any], now: NDArray[Any]) -> NDArray[Any]:
-    """Return 1 less the least stretch of quadrangles, from their diagonals."""
+    """Return the compression of quadrilaterals, 1 minus their smallest stretch, from their diagonals."""
     before, after = (np.stack([each[:, 2] - each[:, 0], each[:, 3] - each[:, 1]], axis=-1) for each in (rest, now))
     stretches = np.linalg.svd(after @ np.linalg.inv(before), compute_uv=False)
     return np.clip(1.0 - stretches[:, 1], 0.0, 1.0)
 
 
 def section_picture(impact: Impact, *, count: int = 5) -> Picture:
-    """Return the deformed section at ``count`` moments of contact, with pressure and shear over the patch below it.
+    """Plot the deformed section at ``count`` moments of contact, with pressure and shear over the patch below.
 
-    Pressure and shear belong to the nodes within an element of the plane; they are forces per area of the undeformed
-    surface. Shear is positive where it makes backspin. The colour shows how far a piece of the section is compressed.
+    Pressure and shear are forces per undeformed area at the nodes within an element of the plane. Shear is positive
+    where it creates backspin. The colour shows the local compression.
     """
     section = Section(impact)
     moments = np.linspace(0.0, 1.0, count + 2)[1:-1] * impact.last_touch
@@ -154,7 +154,7 @@ def section_picture(impact: Impact, *, count: int = 5) -> Picture:
 
 
 def _tractions(impact: Impact, time: float) -> list[Mark]:
-    """Return pressure and shear near the section at the record next to ``time`` [s]; none where nothing touches."""
+    """Return marks for pressure and shear near the section at ``time`` [s]; empty without contact."""
     patch = impact.patch
     moments = np.unique(patch["time"])
     nearest = moments[np.argmin(abs(moments - time))] if len(moments) else np.inf
@@ -174,7 +174,7 @@ def _tractions(impact: Impact, time: float) -> list[Mark]:
 
 
 def moving_section(impact: Impact) -> list[Picture]:
-    """Return the deforming section next to the forces up to each moment, a picture a kept shape."""
+    """Return frames of an animation: the deforming section, and the forces up to that moment."""
     section, contact = Section(impact), impact.contact
     colours = section.colours(range(len(section.times)))
     time = axis("time", unit="us", limits=(0.0, float(section.times[-1]) or None))

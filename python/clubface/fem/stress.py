@@ -1,4 +1,4 @@
-"""The strength of a head: the largest stress of each part in a hard impact, and the stress at which it yields."""
+"""Strength of a head: the largest stress of each part in a hard impact, compared with the yield stress."""
 
 from __future__ import annotations
 
@@ -33,38 +33,38 @@ if not TYPE_CHECKING:
     __getattr__ = renamed_names(__name__, BlowStress="ImpactStress", blow_stress="impact_stress")
 
 IMPACT_SPEED = "125 mph"
-"""Speed of the club where none is given: about the most that professionals on tour reach with a driver."""
+"""Default club speed: about the highest of tour professionals with a driver."""
 DURATION = 0.8e-3
-"""Duration of the run [s]: longer than any contact with a ball."""
+"""Duration of the run [s], longer than any contact with a ball."""
 INTERVAL = 5e-6
-"""Time between the shapes whose stress is kept [s]; the slowest vibrations of a face, which carry its stress, take a
-hundred times as long."""
+"""Time between recorded stresses [s]; the slowest vibrations of a face, which carry its stress, have periods a hundred
+times as long."""
 FINER = (1.0, 1.25, 1.5)
-"""Numbers of elements along each edge of the meshes of a convergence, over those of the head."""
+"""Refinement factors along each edge for the meshes of a convergence study."""
 MOST_ELEMENTS = 400
-"""Most elements along an edge of a head that is made from dimensions."""
+"""Maximum number of elements along an edge of a parametric head."""
 
 
 @dataclass(frozen=True)
 class PartStress:
-    """The largest stress of a part of a head during an impact.
+    """Largest stress of a part of a head during an impact.
 
     Attributes
     ----------
     part
-        Name of the part; "head" for an iron that is made from dimensions.
+        Name of the part; "head" for a parametric iron.
     stress
-        Largest equivalent stress of von Mises [Pa] in a metal that stays elastic.
+        Largest von Mises stress [Pa], with elastic metal.
     time
-        When it is reached [s] after first touch.
+        Time of the largest stress after first touch [s].
     place
-        Where [m], in the axes of :class:`clubface.Club`, from the face centre: the centre of a shell, or a node of the
-        surface of hexahedra.
+        Its location [m] relative to the face centre, in the axes of :class:`clubface.Club`: the centre of a shell, or a
+        surface node of solid elements.
     yield_stress
-        Stress at which the metal yields [Pa]; None if its file does not say.
+        Yield stress of the metal [Pa]; None if its file gives none.
     by_mesh
-        Number of elements of the head and largest stress [Pa] by each mesh that was struck, from coarse to fine, that
-        of the head itself first.
+        Number of elements of the head and largest stress [Pa] for each mesh, coarsest first; the first is the head's
+        own.
     """
 
     part: str
@@ -76,33 +76,33 @@ class PartStress:
 
     @property
     def margin(self) -> float | None:
-        """How much more stress the part bears before it yields, as a share of the stress; negative if it yields."""
+        """Yield stress over largest stress, minus 1: the remaining margin; negative if the part yields."""
         return None if self.yield_stress is None else self.yield_stress / self.stress - 1.0
 
     @property
     def spread(self) -> float | None:
-        """Largest less smallest stress of all meshes over the stress; None of a single mesh."""
+        """Range of the largest stress over all meshes, relative to ``stress``; None for a single mesh."""
         values = [stress for _, stress in self.by_mesh]
         return (max(values) - min(values)) / self.stress if len(values) > 1 else None
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceStress:
-    """The stress of a head at the time of its largest, over its surface.
+    """Stress over the surface of a head at the moment of the largest stress.
 
     Attributes
     ----------
     nodes, quads
-        Nodes [m], shape (n, 3), and quadrilaterals between them, counterclockwise as seen from outside, shape (m, 4).
+        Nodes [m], shape (n, 3), and quadrilaterals between them, counterclockwise seen from outside, shape (m, 4).
     stress
-        Equivalent stress of von Mises at the nodes [Pa]: of shells the mean of the elements round each, on the side of
-        each that has more.
+        Von Mises stress at the nodes [Pa]; for shells the mean of the surrounding elements, each on its more highly
+        stressed side.
     time
-        The time [s].
+        Time after first touch [s].
     views
-        The sides that show the walls: "face" and "back", or "face", "crown" and "sole".
+        Views that show the walls: "face" and "back", or "face", "crown" and "sole".
     bending
-        Whether the mesh sees how walls bend: false of hexahedra of one layer.
+        Whether the mesh resolves the bending of walls; false for a single layer of hexahedra.
     """
 
     nodes: NDArray[Any]
@@ -115,16 +115,16 @@ class SurfaceStress:
 
 @dataclass(frozen=True, eq=False)
 class ImpactStress:
-    """The stress of a head in an impact.
+    """Stress of a head in an impact.
 
     Attributes
     ----------
     parts
-        The largest stress of each part.
+        Largest stress of each part.
     surface
-        The stress of the surface.
+        Stress over the surface.
     speed
-        Speed of the club [m/s].
+        Club speed [m/s].
     """
 
     parts: tuple[PartStress, ...]
@@ -132,13 +132,13 @@ class ImpactStress:
     speed: float
 
     def notes(self) -> list[Note]:
-        """Return what limits the stress."""
+        """Return notes on the limitations of the stress."""
         notes = [] if self.surface.bending else [note("one-layer-of-hexahedra")]
         return notes if self.parts[0].spread is not None else [*notes, note("mesh-dependence-unknown")]
 
 
 def peak_stress(head: str | os.PathLike[str] | MeshedHead | Design, **options: Any) -> list[PartStress]:
-    """Return the largest stress of each part of a head in an impact, as :func:`impact_stress` finds it."""
+    """Return the largest stress of each part of a head in an impact, from :func:`impact_stress`."""
     return list(impact_stress(head, **options).parts)
 
 
@@ -156,11 +156,10 @@ def impact_stress(
 ) -> ImpactStress:
     """Compute the stress of a head in an impact.
 
-    The metals stay elastic for it, whether they yield or not, so that the stress may exceed the one at which they
-    yield: the margin then says by how much a design is too weak. It is the stress on the two sides of a shell (at its
-    outermost points, if its metal has points through the thickness), and that at the surface of solids, to which
-    patch recovery extrapolates it from the centres of elements (:mod:`clubface.fem.result`). Neither knows of
-    notches, welds or fatigue.
+    The metals stay elastic here even if they have a yield stress, so the computed stress may exceed it; the margin then
+    says by how much a design is too weak. For shells it is the stress on both sides (at the outermost points if the
+    metal has points through the thickness), for solids the surface stress, extrapolated from element centres by patch
+    recovery (:mod:`clubface.fem.result`). Notches, welds and fatigue are not included.
 
     Parameters
     ----------
@@ -169,17 +168,17 @@ def impact_stress(
     ball
         The ball, as for :func:`clubface.fem.ball`.
     speed
-        Speed of the club [m/s].
+        Club speed [m/s].
     friction, progress
         As for :func:`clubface.fem.throw`.
     safety, threads
         As of :class:`clubface.fem.Settings`.
     meshes
-        On how many meshes the impact is computed, 1 to 3, to see how far its stress depends on the mesh: that of the
-        head, then one with 1.25 and one with 1.5 times as many elements along each edge. A head that is not made from
-        dimensions has one mesh.
+        Number of meshes on which the impact is computed, 1 to 3, to show how much the stress depends on the mesh: the
+        head's own, then with 1.25 and 1.5 times as many elements along each edge. A head that is not parametric has
+        only one.
     **delivery
-        The rest of the delivery, such as ``toe``, as for :func:`clubface.impact`.
+        Rest of the delivery, such as ``toe``, as for :func:`clubface.impact`.
 
     Raises
     ------
@@ -215,10 +214,10 @@ def impact_stress(
 
 
 def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> list[MeshedHead]:
-    """Return a head, and the same of finer meshes if it is made from dimensions."""
+    """Return a head and, if it is parametric, the same head on finer meshes."""
     made = [meshed(head)]
     if not isinstance(made[0], ShellHead | SolidHead):
-        raise InputError("head", made[0].name, "a head of shells or of solid elements")
+        raise InputError("head", made[0].name, "a shell head or a solid head")
     design = None if count == 1 else design_of(head)
     if isinstance(design, DriverHead | IronHead):
         for factor in FINER[1:count]:
@@ -229,26 +228,26 @@ def _meshes(head: str | os.PathLike[str] | MeshedHead | Design, count: int) -> l
 
 
 def _finer(number: int, factor: float) -> int:
-    """Return a number of elements times a factor, rounded up; even if it was, so that lines in the middle stay there.
+    """Return ``number`` times ``factor``, rounded up; even numbers stay even, so that midlines remain.
 
-    Layers through a wall, which are one or two, are too few for that.
+    One or two layers through a wall are excepted, being too few.
     """
     more = math.ceil(number * factor)
     return more + (more % 2 if number % 2 == 0 and number > 2 else 0)
 
 
 def _peak(part: str, metal: Metal, stress: NDArray[Any], places: NDArray[Any], times: NDArray[Any]) -> PartStress:
-    """Return the largest stress of a part, given by times and places."""
+    """Return the largest stress of a part, from stresses by time and place."""
     frame, at = np.unravel_index(int(stress.argmax()), stress.shape)
     x, y, z = (float(place) for place in places[at])
     return PartStress(part, float(stress[frame, at]), float(times[frame]), (x, y, z), metal.yield_stress)
 
 
 def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
-    """Return the stress at the surface of solid elements: the largest of every part, and that of the outside.
+    """Return the largest stress of each part of a solid head, and the stress over its outside.
 
-    Parts of different metals have different stress where they meet, so that each is by itself; its surface is all that
-    is outside of it, also where it meets others.
+    Stress jumps where parts of different metals meet, so each part is recovered separately, over its whole surface
+    including interfaces.
     """
     assert run.head_fields is not None
     of_part = head.part_of_elements()
@@ -276,7 +275,7 @@ def _solid(head: SolidHead, run: Impact) -> tuple[list[PartStress], SurfaceStres
 
 
 def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStress]:
-    """Return the stress of shells, on the side of each that has more: the largest of each part, and of the surface."""
+    """Return the largest stress of each part of a shell head, and the stress over it, on each shell's worse side."""
     assert isinstance(head, ShellHead)
     assert run.head_fields is not None
     stress = run.head_fields.von_mises.max(axis=2)
@@ -299,7 +298,7 @@ def _shells(head: MeshedHead, run: Impact) -> tuple[list[PartStress], SurfaceStr
 
 
 def _elastic(head: MeshedHead) -> MeshedHead:
-    """Return the same head of metals that do not yield."""
+    """Return a copy of the head whose metals do not yield."""
     assert isinstance(head, ShellHead | SolidHead)
     elastic: Any = {"yield_stress": None, "hardening": None}
     parts: Any = tuple(replace(part, metal=replace(part.metal, **elastic)) for part in head.parts)
@@ -307,18 +306,18 @@ def _elastic(head: MeshedHead) -> MeshedHead:
 
 
 FACING = 0.25
-"""Cosine of the angle between a quadrilateral's normal and the view above which it is seen."""
+"""Quadrilaterals are drawn if the cosine of the angle between their normal and the view exceeds this."""
 
 
 def stress_picture(stress: ImpactStress, loft: float) -> Picture:
-    """Return the stress over the surface of a head when it is largest, and a bar for the largest of each part.
+    """Plot the stress over a head's surface at the moment of the largest stress, with a bar for each part.
 
-    A cross marks the place of the largest stress. A line across a bar is where the metal yields, if that is known.
+    A cross marks the largest stress; a line across a bar marks the yield stress, if known.
 
     Parameters
     ----------
     stress
-        What :func:`impact_stress` computed.
+        Result of :func:`impact_stress`.
     loft
         Elevation of the face normal at the face centre [rad].
     """

@@ -1,4 +1,4 @@
-"""Sweeps of a case over speeds and lofts, one run on each core."""
+"""Sweeps of a case over speeds and lofts, one run per core."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ COLUMNS = (
     "peak_force_time_s", "contact_time_s", "reversal_time_s", "contraction", "f_prime", "f", "energy_error", "steps",
     "stopped",
 )  # fmt: skip
-"""Columns of the table, one row a run."""
+"""Columns of the table, one row per run."""
 MOST = 10_000
 
 
 def grid(text: str, dimension: str, name: str) -> list[float]:
-    """Return the values [SI] of "first:last:step", or of values separated by commas, in m/s, degrees or mm."""
+    """Return the values [SI] of a list "first:last:step" or "a,b,c", given in m/s, degrees or mm."""
     unit = {"speed": "m/s", "angle": "deg", "length": "mm"}[dimension]
     try:
         if ":" in text:
@@ -44,7 +44,7 @@ def grid(text: str, dimension: str, name: str) -> list[float]:
     except (ValueError, OverflowError):
         values = []
     if not 1 <= len(values) <= MOST:
-        raise InputError(name, text, f'"first:last:step" in {unit}, as in "30:60:5", or values with commas')
+        raise InputError(name, text, f'"first:last:step" in {unit}, as in "30:60:5", or values separated by commas')
     return [units.parse(f"{value!r} {unit}", dimension, name=name) for value in values]
 
 
@@ -66,27 +66,26 @@ def sweep(
     speeds, lofts
         Clubhead speeds [m/s] and lofts [rad].
     output
-        A CSV file. Runs found in the file are not repeated, nor those that an interrupted run has finished.
+        A CSV file. Runs already in it, including those of an interrupted sweep, are not repeated.
     workers
-        Number of runs at a time, each on one core; the last runs share the cores that are left. If left out: one for
-        each core.
+        Number of runs at the same time, each on one core; the last runs share the free cores. Default: one per core.
     progress
-        Called with the number of runs done and the number of runs.
+        Called with the number of runs done and the total.
 
     Returns
     -------
     list
-        One mapping of ``COLUMNS`` for each run, in the order of speeds, then lofts.
+        One mapping of ``COLUMNS`` per run, in the order of speeds, then lofts.
     """
     base = case(source)
     worker_count(workers)
     points = [(speed, loft) for speed in speeds for loft in lofts]
     if not 1 <= len(points) <= MOST:
-        raise InputError("the number of runs of a sweep", len(points), f"1 to {MOST}")
+        raise InputError("number of runs in the sweep", len(points), f"1 to {MOST}")
     for speed in (min(speeds), max(speeds)):
         for loft in (min(lofts), max(lofts)):
             base.replace(speed=speed, loft=loft)
-    # Angles [deg] as they were given: without the rounding of the way to rad and back.
+    # Lofts in deg as entered, without rounding errors from the conversion to rad and back.
     lofts_of = {(speed, round(units.from_si(loft, "deg"), 9)): loft for speed, loft in points}
     content = {
         "ball": base.ball.values(), "head": [base.head, base.club],
@@ -109,7 +108,7 @@ def sweep(
 
 
 def sweep_result(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Result:
-    """Return a sweep as a result; ``published`` says whether its picture has the numbers of Roh and Lee."""
+    """Return a sweep as a result; ``published`` adds Roh and Lee's values to its picture."""
     shown = ("speed", "loft", "ball_speed", "launch", "spin", "club_speed_after", "peak_force", "f")
     columns = [replace(each, printed=each.name in shown) for each in columns_of(rows, COLUMNS, unit="m/s")]
     return Result(
