@@ -1,4 +1,4 @@
-"""From a measured launch back to the deliveries that can have made it.
+"""From a measured launch back to the deliveries that could have produced it.
 
 Many deliveries make the same launch, so the answer is a sample of deliveries. :func:`clubface.infer` draws it.
 """

@@ -36,12 +36,12 @@ from clubface.support.processes import processors
 
 REMARK = "remark"
 SAMPLES = 400
-"""Draws for each shot of a file. Twice as many are effective, so that they tell a mean to 4% of its deviation and the
-ends of its interval to about 10%."""
+"""Draws per shot of a file, resampled from at least twice as many effective ones. They give a mean to 4% of its
+standard deviation, and the ends of its interval to about 10%."""
 
 
 class ShotRows:
-    """The rows of a file of shots, which have at least one launch quantity.
+    """The rows of a file of shots that have at least one launch quantity.
 
     What they hold of the delivery is taken as measured, too. The options are those of :func:`clubface.infer`.
     """
@@ -69,14 +69,14 @@ class ShotRows:
 
     @property
     def headings(self) -> list[str]:
-        """The headings: measured quantities of the launch, four of each inferred quantity, and a remark."""
+        """The headings: measured launch quantities, four for each inferred quantity, and a remark."""
         headings = ["row", *(_heading(name, QUANTITIES[name]) for name in self.launch)]
         for name in self.names:
             headings += [_heading(name, unit_of(name), end) for end in ("", "_std", "_from", "_to")]
         return [*headings, "effective", REMARK]
 
     def of(self, place: int) -> list[Any]:
-        """Return the cells of one shot; one that cannot be inferred says why in its last."""
+        """Return the cells of one shot; if it cannot be inferred, the last one says why."""
         shots = self._shots
         launch = {name: float(shots.launches[name][place]) for name in self.launch}
         cells: list[Any] = [int(shots.rows[place]), *(_cell(launch[name], QUANTITIES[name]) for name in self.launch)]
@@ -99,7 +99,7 @@ class ShotRows:
         return [*cells, round(posterior.effective), "; ".join(remarks)]
 
     def _for(self, hand: int) -> Inference:
-        """Return what infers the shots of a hand."""
+        """Return the inference for shots of one hand."""
         if hand not in self._prepared:
             self._prepared[hand] = Inference(club=replace(self._head, hand=hand), **self._given)
         return self._prepared[hand]
@@ -148,7 +148,7 @@ class InferReport(Described):
     club_noise: Mapping[str, float] = field(default_factory=dict)
 
     def to_result(self) -> Result:
-        """Return the counts, and notes on what was used and remarked."""
+        """Return the counts, with notes on the inputs used and on remarks."""
         noise = [f"{name} {shown(name, value, 3)}" for name, value in self.club_noise.items()]
         notes = [note("club-data-used", names=list(self.used), noise=noise)] if self.used else []
         notes += [note("rows-with-remarks", rows=self.warned)] if self.warned else []
@@ -224,11 +224,11 @@ def infer_shots(
 
 
 FEWEST_FOR_PROCESSES = 100
-"""Number of shots from which it pays to start processes: starting them takes a few seconds."""
+"""Number of shots above which processes are worth their start of a few seconds."""
 
 
 def _row(data: bytes, place: int) -> list[Any]:
-    """Return the cells of one shot in a worker process, from the pickled arguments of :class:`Rows`."""
+    """Return the cells of one shot, in a worker process."""
     return _rows(data).of(place)
 
 
@@ -239,5 +239,5 @@ def _rows(data: bytes) -> ShotRows:
 
 
 def _with_content(value: Any) -> Any:
-    """Return an option, and for the name of a file what the file holds."""
+    """Return an option, with the content of the file if it is a file name."""
     return input_file(value).sha256 if is_path(value) else value

@@ -135,8 +135,8 @@ def test_adjusted_costs_least_and_contact_models_fit_drives_better_than_slip_unl
 def test_impulse_models_find_the_slope_of_restitution_but_not_the_true_slip():
     driver = FINDINGS["clubs"]["driver"]
     # Half a unit of the last digit with which the page states it.
-    found = driver["fits"]["standard"]["parameters"]["cor_slope"]
-    assert found == pytest.approx(recipe("driver").restitution_slope, abs=5e-5)
+    fitted = driver["fits"]["standard"]["parameters"]["cor_slope"]
+    assert fitted == pytest.approx(recipe("driver").restitution_slope, abs=5e-5)
     low, high = driver["fits"]["adjusted"]["intervals"]["dcg_y"]
     assert ParameterSet.builtin("adjusted", "driver").values["dcg_y"] < low - 10 * (high - low)
     slip = driver["own"]["slip"]

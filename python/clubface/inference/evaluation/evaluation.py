@@ -1,4 +1,4 @@
-"""Comparison of models with measured shots: one call from a file to everything that the report shows."""
+"""Comparison of models with measured shots, from a file to the full report in one call."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ from clubface.support.files import recorded
 __all__ = ["evaluate"]
 
 FEWEST_RESAMPLES = 100
-"""Resamples below which no interval is worth showing; several models take more, see ``fewest_resamples``."""
+"""Smallest number of resamples for an interval; several models need more, see ``fewest_resamples``."""
 SHORTEST = 0.02
-"""Seconds; a computation shorter than this is timed over several runs."""
+"""Computations shorter than this [s] are timed over several runs."""
 
 
 @recorded
@@ -132,7 +132,7 @@ def evaluate(
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
     def predict(name: str, given: Mapping[str, Floats]) -> dict[str, Floats]:
-        """Return launches of deliveries, or at the launch angles and azimuths among what is given."""
+        """Return the launches of deliveries, or the launches at given launch angles and azimuths."""
         delivery = {each: values for each, values in given.items() if each not in taken.start}
         start = {each: values for each, values in given.items() if each in taken.start}
         how: dict[str, Any] = {
@@ -190,7 +190,7 @@ def evaluate(
 
 
 def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[str, Floats], float]:
-    """Return a result and the processor time a shot; what is too short to be timed is run again."""
+    """Return a result and the processor time per shot; short computations are repeated."""
     began = process_time()
     result = compute()
     spent = process_time() - began

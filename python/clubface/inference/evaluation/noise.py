@@ -1,4 +1,4 @@
-"""How small errors can become: the error of a perfect model if launch and delivery are measured with noise."""
+"""The noise floor: the error of a perfect model when launch and delivery are measured with noise."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
 TO_MEAN_ABSOLUTE = math.sqrt(2.0 / math.pi)
-"""Mean magnitude of a normal deviate of standard deviation 1."""
+"""Mean absolute value of a standard normal deviate."""
 MONITOR = {name: error / TO_MEAN_ABSOLUTE for name, error in monitor_errors().items()}
 """Standard deviations [SI] of a monitor with the mean errors that Caldwell and McPhee (2023) quote for theirs, 0.2 deg
 and 50 rpm."""
 DRAWS = 8
-"""Disturbed copies of every shot from which the effect of noise in the delivery is estimated."""
+"""Number of perturbed copies per shot for estimating the effect of noise in the delivery."""
 
 _LAUNCH_DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
 
 def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str, str], what: str) -> dict[str, float]:
-    """Return standard deviations, SI, from text with units or SI numbers; ``what`` names them in errors."""
+    """Return standard deviations in SI from text with units or SI numbers; ``what`` names them in errors."""
     deviations = {}
     for name, value in (given or {}).items():
         check_choice(f"quantity of {what}", name, dimensions)
@@ -38,7 +38,7 @@ def standard_deviations(given: Mapping[str, Any] | None, dimensions: Mapping[str
 
 
 def monitor_noise(given: Mapping[str, Any] | None) -> dict[str, float]:
-    """Return the standard deviations of the monitor: those of ``MONITOR``, with the values ``given`` replaced."""
+    """Return the standard deviations of the monitor: ``MONITOR``, updated with the ``given`` values."""
     return {**MONITOR, **standard_deviations(given, _LAUNCH_DIMENSIONS, "noise")}
 
 

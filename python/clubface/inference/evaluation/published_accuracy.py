@@ -1,4 +1,4 @@
-"""Published accuracy of the models, and whether published parameters can have it.
+"""Published accuracy of the models, and whether published parameters can achieve it.
 
 Every model was compared with the same measured launches. So on these shots the mean launches of two models differ by at
 most the sum of their mean absolute errors, whatever was measured. Where the published parameters of two models are
@@ -70,7 +70,7 @@ class PublishedAccuracy:
     caveats: tuple[str, ...]
 
     def is_least(self, quantity: str) -> bool:
-        """Whether it has the least error of its table, which Tables 2 to 5 set in italics.
+        """Whether this is the smallest error of its table, printed in italics in Tables 2 to 5.
 
         A figure of the thesis is in none of these tables.
         """
@@ -172,12 +172,12 @@ class Pair(NamedTuple):
 
     @property
     def contradicts(self) -> bool:
-        """Whether the means are further apart than the published errors allow."""
+        """Whether the means differ by more than the published errors allow."""
         return abs(self.difference) > self.allowed
 
 
 def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
-    """Compare all models of which errors are published, with each club in each quantity.
+    """Compare all models with published errors, for each club and quantity.
 
     The shots are the deliveries of the benchmark, as their motion capture shows them: those of the publication are not
     public, and the mean launches are the same.

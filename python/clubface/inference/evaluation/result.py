@@ -30,14 +30,14 @@ from clubface.support.arrays import Floats
 __all__ = ["Evaluation", "error_picture", "error_quantity", "refuse_input", "shot_tables"]
 
 SHOTS_FILE = "evaluation.csv"
-"""Every shot with what each model computes for it."""
+"""File name of the table with every model's values for every shot."""
 TREND_COVARIATES = ("speed", "path", "toe", "high")
-"""Those drawn; the tables have all."""
+"""The quantities drawn; the tables have all."""
 MOST_BINS, FEWEST_IN_BIN = 8, 8
 MOST_POINTS = 2000
-"""Largest number of shots drawn; of more, every n-th."""
+"""Largest number of shots drawn; of more shots, every n-th is drawn."""
 LISTED = 5
-"""Rows left out that a note lists with their reasons; the table has all."""
+"""Largest number of excluded rows listed in a note; the table has all."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -92,7 +92,7 @@ class Evaluation(Described):
 
     @property
     def models(self) -> list[str]:
-        """The models, in the order asked for."""
+        """The models, in the requested order."""
         return list(self.parameters)
 
     @property
@@ -102,21 +102,21 @@ class Evaluation(Described):
 
     @cached_property
     def mean(self) -> dict[str, float]:
-        """Mean magnitude of each measured quantity, to which percentages refer."""
+        """Mean absolute value of each measured quantity, the reference of percentages."""
         return {name: float(np.nanmean(np.abs(values))) for name, values in self.shots.launch.items()}
 
     @property
     def published(self) -> dict[str, PublishedAccuracy]:
-        """Published accuracy of these models, for clubs of this family."""
+        """Published accuracy of these models for this club family."""
         family = self.shots.club.parameters
         return {name: published()[name, family] for name in self.models if (name, family) in published()}
 
     def errors(self, model: str, quantity: str) -> Floats:
-        """Return model minus measured values, one element a shot; NaN where the value was not measured."""
+        """Return model minus measured values, one element per shot; NaN for values not measured."""
         return self.predicted[model][quantity] - self.shots.launch[quantity]
 
     def cost(self, model: str) -> float:
-        """Return the cost of Caldwell and McPhee (2023), equation 22, with mean magnitudes."""
+        """Return the cost of Caldwell and McPhee (2023), equation 22, with mean absolute values."""
         return sum(self.sizes[name][model].mae / self.mean[name] for name in self.quantities)
 
     def __repr__(self) -> str:
@@ -147,7 +147,7 @@ class Evaluation(Described):
         )  # fmt: skip
 
     def shots_table(self) -> Table:
-        """Return one row a shot: its row in the source, what was measured, and what every model computes."""
+        """Return one row per shot: its row in the source, the measured values, and every model's values."""
         columns = [text("row", self.shots.rows.tolist())]
         for name in self.quantities:
             columns.append(column(name, self.shots.launch[name]))
@@ -155,7 +155,7 @@ class Evaluation(Described):
         return Table("shots", tuple(columns))
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the report (HTML, Markdown, JSON), its pictures and tables, that of the shots too; return the files.
+        """Write the report (HTML, Markdown, JSON), its pictures, its tables and the table of shots; return the files.
 
         Raises
         ------
@@ -167,7 +167,7 @@ class Evaluation(Described):
         return result.write(folder, {"errors.csv": result.table(), SHOTS_FILE: self.shots_table()})
 
     def _errors(self) -> Table:
-        """Return one row a quantity and model: the errors with 95% intervals, and the lead of the best."""
+        """Return one row per quantity and model: the errors with 95% intervals, and the lead of the best model."""
         rows = [(name, model, size) for name, sizes in self.sizes.items() for model, size in sizes.items()]
         read_as = [error_quantity(name) for name, _, _ in rows]
         rivals = [self._rival(name, model) for name, model, _ in rows]
@@ -220,7 +220,7 @@ class Evaluation(Described):
         return next((each for each in self.best[name].rivals if each.model == model), None)
 
     def _best(self) -> Table:
-        """Return one row a quantity: the best model, those that are no worse, and the lead over the next."""
+        """Return one row per quantity: the best model, those not significantly worse, and the lead over the next."""
         names = list(self.best)
         nexts = [next((each for each in self.best[name].rivals if each.is_worse), None) for name in names]
         read_as = [error_quantity(name, 1) for name in names]
@@ -240,7 +240,7 @@ class Evaluation(Described):
         )  # fmt: skip
 
     def _probability(self, p: float) -> str:
-        """Write a probability; the resamples cannot resolve one smaller than twenty of them."""
+        """Format a probability; the resamples cannot resolve one smaller than twenty of them."""
         least = max(0.001, 20.0 / self.resamples)
         return f"< {least:.2g}" if p < least else f"{p:.2g}"
 
@@ -263,7 +263,7 @@ class Evaluation(Described):
         )  # fmt: skip
 
     def _noise(self) -> Table:
-        """Return the noise assumed, and the error a perfect model would have with that of the best model."""
+        """Return the assumed noise, and the errors of a perfect model and of the best model."""
         names = [*self.floor, *(each for each in (*self.monitor_noise, *self.delivery_noise) if each not in self.floor)]
         best = [self.best[name].model if name in self.floor else None for name in names]
         sizes = [None if model is None else self.sizes[name][model] for name, model in zip(names, best, strict=True)]
@@ -286,7 +286,7 @@ class Evaluation(Described):
         )  # fmt: skip
 
     def _trends(self) -> Table:
-        """Return the slopes of the errors over the quantities of the delivery; an asterisk marks a clear one."""
+        """Return the slopes of the errors over the delivery quantities; an asterisk marks significant ones."""
         rows = [
             (name, model, line)
             for name, models in self.trends.items() for model, lines in models.items() for line in lines
@@ -319,7 +319,7 @@ class Evaluation(Described):
         )  # fmt: skip
 
     def _published(self) -> Table:
-        """Return the published figures of the same models, if the club is of a family they were published for."""
+        """Return the published figures of the same models, if they exist for the club's family."""
         rows = [(name, each) for name in QUANTITIES for each in self.published.values()]
         read_as = [error_quantity(name) for name, _ in rows]
         columns = []
@@ -389,14 +389,14 @@ class Evaluation(Described):
 
 
 def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
-    """Refuse a folder in which the table of shots would overwrite the file of the shots."""
+    """Refuse a folder in which the table of shots would overwrite the input file."""
     target = Path(folder) / SHOTS_FILE
     if target.exists() and os.path.exists(source) and target.samefile(source):
         raise FileError(source, None, "the report would overwrite this file; give another folder")
 
 
 def shot_tables(dropped: Iterable[RejectedRow], origins: Sequence[LoftOrigin]) -> tuple[Table, Table]:
-    """Return the rows left out with their reasons, and where the dynamic lofts of the shots come from."""
+    """Return the excluded rows with reasons, and the origin of the shots' dynamic lofts."""
     rows = list(dropped)
     left_out = table(
         "left_out", text("row", [each.line for each in rows]), text("reason", [each.reason for each in rows]),
@@ -413,7 +413,7 @@ def shot_tables(dropped: Iterable[RejectedRow], origins: Sequence[LoftOrigin]) -
 
 
 def error_quantity(name: str, more: int = 0) -> Quantity:
-    """Return a quantity read with the digits of an error, and ``more``."""
+    """Return a quantity with the digits of an error, with the changes in ``more``."""
     known = quantity(name)
     digits = known.golf.digits + (known.golf.unit != "rpm") + more
     return known._replace(golf=Reading(known.golf.unit, digits))
@@ -425,7 +425,7 @@ def _first(rows: Sequence[RejectedRow]) -> str:
 
 
 def error_picture(evaluation: Evaluation) -> Picture:
-    """Return the mean absolute errors with their intervals, the published errors, and the effect of noise."""
+    """Return a picture of the mean absolute errors with intervals, published errors, and the effect of noise."""
     places = np.arange(len(evaluation.models))
     panels = []
     for name in evaluation.quantities:
@@ -489,7 +489,7 @@ def _trend_picture(evaluation: Evaluation) -> Picture:
 
 
 def _agreement_picture(evaluation: Evaluation) -> Picture:
-    """Return the computed value of each shot over the measured one, for the best model of each quantity."""
+    """Return a picture of computed over measured values, for the best model of each quantity."""
     step = max(1, -(-len(evaluation.shots) // MOST_POINTS))
     panels = []
     for name in evaluation.quantities:
@@ -517,7 +517,7 @@ def _in_rows(panels: Sequence[Panel], columns: int) -> list[list[Panel | None]]:
 
 
 def _binned(x: Floats, error: Floats) -> tuple[list[float], list[float]]:
-    """Return the means of ``x`` and ``error`` over equal numbers of shots in the order of ``x``."""
+    """Return the means of ``x`` and ``error`` in bins of equal numbers of shots, sorted by ``x``."""
     there = np.isfinite(error)
     order = np.argsort(x[there], kind="stable")
     bins = min(MOST_BINS, max(1, order.size // FEWEST_IN_BIN))

@@ -1,4 +1,4 @@
-"""Statistics of the errors of models: sizes with intervals, differences with significance, and trends."""
+"""Statistics of model errors: sizes with intervals, significance of differences, and trends."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from clubface.support.arrays import Floats
 CONFIDENCE = 0.95
 SIGNIFICANCE = 0.05
 _CHUNK, _KEPT = 1_000_000, 8_000_000
-"""Numbers of resamples times shots that are drawn at a time, and that are kept instead of being drawn again."""
+"""Number of resamples times shots drawn at a time, and the largest number kept instead of drawn again."""
 
 
 class Interval(NamedTuple):
-    """The ends of a 95% confidence interval; NaN if there are fewer than two different shots."""
+    """A 95% confidence interval; NaN if there are fewer than two different shots."""
 
     low: float
     high: float
 
 
 class ErrorSize(NamedTuple):
-    """How large the errors of one model in one quantity are, in SI units.
+    """The size of one model's errors in one quantity, in SI units.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class Rival(NamedTuple):
 
 
 class Best(NamedTuple):
-    """The best model in one quantity, and how sure that is.
+    """The best model in one quantity, and how certain that is.
 
     Attributes
     ----------
@@ -102,7 +102,7 @@ class Best(NamedTuple):
 
 
 class Resamples:
-    """Bootstrap resamples of shots, or of groups of shots that belong together, such as those of one player.
+    """Bootstrap resamples of shots, or of groups of shots, such as the shots of one player.
 
     Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples;
     the same seed gives the same ones. Without ``groups``, one for each shot, every shot is its own.
@@ -123,7 +123,7 @@ class Resamples:
             self.groups = len(names)
 
     def means(self, values: Floats) -> Floats:
-        """Return the means of ``values``, shape [columns, shots], over each resample: [resamples, columns]."""
+        """Return the means of ``values``, shape [columns, shots], in each resample: [resamples, columns]."""
         if self.count * self._shots <= _KEPT:
             if self._weights is None:
                 self._weights = np.concatenate(list(self._drawn()))
@@ -131,7 +131,7 @@ class Resamples:
         return np.concatenate([weights @ values.T for weights in self._drawn()])
 
     def _drawn(self) -> Iterator[Floats]:
-        """Yield the weights of the shots, which add up to 1, some resamples at a time: [resamples, shots]."""
+        """Yield the weights of the shots, which sum to 1, in blocks of resamples: [resamples, shots]."""
         random = np.random.default_rng(self._seed)
         step = max(1, _CHUNK // self._shots)
         for first in range(0, self.count, step):
@@ -144,7 +144,7 @@ class Resamples:
 
 
 def group_labels(groups: Any, shots: int) -> NDArray[Any]:
-    """Return the labels of groups, of which there must be one for each shot."""
+    """Return the group labels, one per shot."""
     labels = np.asarray(groups)
     if labels.shape != (shots,):
         raise InputError("groups", Wording(f"of shape {labels.shape}"), f"one for each shot: ({shots},)")
@@ -152,7 +152,7 @@ def group_labels(groups: Any, shots: int) -> NDArray[Any]:
 
 
 def interval(resampled: Floats, groups: int) -> Interval:
-    """Return the percentile interval of resampled means if ``groups`` groups were drawn; NaN for fewer than two.
+    """Return the percentile interval of means resampled from ``groups`` groups; NaN for fewer than two.
 
     The ends are moved outwards by as much as Student's t distribution is wider than the normal distribution, because
     plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap,
@@ -167,7 +167,7 @@ def interval(resampled: Floats, groups: int) -> Interval:
 
 
 def _students_t(z: float, degrees: int) -> float:
-    """Return the quantile of Student's t from that of the normal distribution, by Abramowitz and Stegun 26.7.5.
+    """Return the quantile of Student's t from the normal quantile, by Abramowitz and Stegun 26.7.5.
 
     For two degrees of freedom it is 3% low, but such a quantile is beyond all resamples anyway.
     """
@@ -181,7 +181,7 @@ def _students_t(z: float, degrees: int) -> float:
 
 
 def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
-    """Return the sizes of the errors of each model in one quantity, and the best model by paired bootstrap.
+    """Return the error sizes of each model in one quantity, and the best model by paired bootstrap.
 
     ``errors`` are model less measured by the name of the model, of the same shots in the order of the ``resamples``.
     """
@@ -208,7 +208,7 @@ def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dic
 
 
 def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: int) -> Best:
-    """Return the model with the least mean absolute error and the significance of its lead over each other.
+    """Return the model with the smallest mean absolute error, and the significance of its lead over each other model.
 
     ``mae`` is the mean absolute error by the name of the model, and ``resampled`` the same over each resample, paired.
     So many ``groups`` were drawn; fewer than ``fewest_groups`` are never significant.
@@ -228,7 +228,7 @@ def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: i
 
 
 def fewest_resamples(models: int) -> int:
-    """Return how many resamples are needed so that one of several models can be called worse at all.
+    """Return how many resamples are needed to be able to call one of several models worse.
 
     Of B resamples the least two-sided probability is 2 / (B + 1), and Holm's correction takes it times the number of
     rivals, which must stay below ``SIGNIFICANCE``.
@@ -237,7 +237,7 @@ def fewest_resamples(models: int) -> int:
 
 
 def fewest_groups(models: int) -> int:
-    """Return how many shots, or groups of them, are needed so that one of several models can be called worse at all.
+    """Return how many shots, or groups of shots, are needed to be able to call one of several models worse.
 
     The least probability of G groups is 2^(1 - G), and Holm's correction takes it times the number of rivals.
     """
@@ -245,7 +245,7 @@ def fewest_groups(models: int) -> int:
 
 
 def holm(probabilities: Sequence[float]) -> list[float]:
-    """Return probabilities corrected for their number after Holm (1979), in the order given."""
+    """Return probabilities corrected for multiple comparisons by Holm (1979), in the given order."""
     order = sorted(range(len(probabilities)), key=lambda place: probabilities[place])
     corrected, least = [0.0] * len(probabilities), 0.0
     for rank, place in enumerate(order):
@@ -255,14 +255,14 @@ def holm(probabilities: Sequence[float]) -> list[float]:
 
 
 COVARIATES = {"speed": "mph", "path": "deg", "toe": "mm", "high": "mm", "attack": "deg", "loft": "deg", "face": "deg"}
-"""The delivery quantities that errors are set against, and the unit each is read in."""
+"""The delivery quantities used as covariates of errors, each with its unit."""
 FEWEST_SHOTS = 3
 LEAST_SPREAD = 1e-9
-"""A covariate that spreads less than this, relative to its size, is constant."""
+"""A covariate with a smaller relative spread than this counts as constant."""
 
 
 class Trend(NamedTuple):
-    """A straight line through the errors of one model in one quantity over one value of the delivery, in SI units.
+    """A straight-line fit to one model's errors in one quantity over one delivery value, in SI units.
 
     Attributes
     ----------
@@ -288,7 +288,7 @@ class Trend(NamedTuple):
 def trends(
     errors: Mapping[str, Floats], delivery: Mapping[str, Floats], resamples: Resamples
 ) -> dict[str, list[Trend]]:
-    """Return the lines of each model over the covariates that were measured and vary.
+    """Return the trend lines of each model over the covariates that were measured and vary.
 
     ``errors`` are model less measured in one quantity, by the name of the model, of the same shots as ``delivery``.
     """

@@ -1,4 +1,4 @@
-"""Checks of shots and fit: enough information, bounds, contact times and forces."""
+"""Checks of shots and fits: enough information, bounds, contact times and forces."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from clubface.simulation.results import outputs
 from clubface.support.arrays import Floats
 
 AT_BOUND = 1e-4
-"""A parameter within this part of its range of a bound meets it."""
+"""A parameter closer to a bound than this fraction of its range counts as at the bound."""
 WORSE, NOTHING = 0.05, 1e-6
-"""Part by which a mean absolute error must grow to be called worse; less is the luck of the shots. A change of the
-latter part of the mean size is rounding."""
+"""Relative growth of a mean absolute error above which it counts as worse; smaller changes are chance. Changes below
+the second figure, relative to the mean value, are rounding."""
 CONTACT_TIME = (350e-6, 600e-6)
-"""Mean contact times [s] outside this are unphysical: measured ones are 400 to 500 us."""
+"""Range of physical mean contact times [s]; measured ones are 400 to 500 us."""
 PEAK_FORCE = (8e3, 17e3)
-"""Mean peak forces [N] outside this, at 50 m/s, are unphysical: measured drives reach 10 to 14 kN."""
+"""Range of physical mean peak forces [N] at 50 m/s; measured drives reach 10 to 14 kN."""
 REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 """Hertz: the peak force grows with the speed [m/s] to the power 6/5."""
 
@@ -65,7 +65,7 @@ def check_information(simulator: Simulator, point: Floats, noise: Floats) -> lis
 
 
 def _undetermined(simulator: Simulator, point: Floats, noise: Floats) -> str:
-    """Name the directions that the shots leave open."""
+    """Describe the directions in parameter space that the shots do not determine."""
     directions = identifiability(simulator, point, noise).directions
     return "; ".join(each.words for each in directions if each.strength in ("none", "unknown"))
 
@@ -79,7 +79,7 @@ def fit_warnings(
     intervals: Mapping[str, tuple[float, float]],
     profiles: Mapping[str, Profile],
 ) -> tuple[Note, ...]:
-    """Return the warnings about a fit: quantities made worse, bounds, contacts, what is open, a doubtful search."""
+    """Return the warnings about a fit: worse quantities, bounds, contacts, open directions, a doubtful search."""
     free = simulator.free
     notes = [*worse(deviations, free.fixed.name), *bounds_met(free, point), *unphysical_contacts(simulator, point)]
     notes += [
@@ -102,20 +102,20 @@ def fit_warnings(
 
 
 def at_bound(free: FreeParameters, point: Floats) -> tuple[str, ...]:
-    """Return the names of the parameters that meet a bound."""
+    """Return the names of the parameters at a bound."""
     return tuple(name for name, place in zip(free.names, point, strict=True) if _meets(place))
 
 
 def contradicted(
     values: Mapping[str, float], intervals: Mapping[str, tuple[float, float]], profiles: Mapping[str, Profile]
 ) -> list[Note]:
-    """Return a warning of parameters [SI] whose interval, or that of their profile, does not hold their value."""
+    """Return a warning about parameters [SI] whose interval or profile interval does not contain their value."""
     names = [name for name in intervals if outside(float(values[name]), intervals[name], profiles.get(name))]
     return [note("fit-contradicted", names=names)] if names else []
 
 
 def worse(deviations: Mapping[str, Deviation], before: str) -> list[Note]:
-    """Return a warning of the quantities that the fit makes worse than the set called ``before``."""
+    """Return a warning about quantities that the fit predicts worse than the set ``before``."""
     names = []
     for name, each in deviations.items():
         if each.mae > (1.0 + WORSE) * each.mae_before + NOTHING * each.mean:
@@ -130,7 +130,7 @@ def _meets(place: float) -> bool:
 
 
 def bounds_met(free: FreeParameters, point: Floats) -> list[Note]:
-    """Return a warning of each parameter that meets a bound of the search."""
+    """Return a warning for each parameter at a bound of the search."""
     notes = []
     for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
         if _meets(place):
@@ -141,7 +141,7 @@ def bounds_met(free: FreeParameters, point: Floats) -> list[Note]:
 
 
 def unphysical_contacts(simulator: Simulator, point: Floats) -> list[Note]:
-    """Return warnings of contacts that are shorter, longer, softer or harder than measured ones."""
+    """Return warnings about contact times and peak forces outside the measured range."""
     times, forces = simulator.contact(point)
     if not np.isfinite(times).all():
         return []

@@ -1,4 +1,4 @@
-"""How well the shots determine parameters: standard errors, profiles, resampling and information.
+"""Uncertainty of identified parameters: standard errors, profile likelihoods, resampling and Fisher information.
 
 Standard errors of the minimum of a cost, for intervals without a bootstrap.
 
@@ -37,11 +37,11 @@ from clubface.support.arrays import Floats
 CHI_SQUARE_95 = 3.841458820694124
 """95% quantile of chi-square with one degree of freedom."""
 STEPS = (0.7, 1.4, 2.1, 2.8, 4.0, 6.0, 9.0, 13.0, 20.0)
-"""Places of a profile on each side, in standard errors."""
+"""Points of a profile on each side, in standard errors."""
 WIDEST = 0.15
-"""Standard error taken for the steps of a parameter the data do not tell of, in parts of the range."""
+"""Step size for a parameter that the data do not determine, as a fraction of its range."""
 NEAR_PROFILE = 1e-2
-"""A fit ends where minus twice the logarithm of the likelihood would fall by less."""
+"""A fit ends when minus twice the log-likelihood would fall by less than this."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,14 +80,14 @@ class Profile:
 
 
 def outside(value: float, interval: tuple[float, float], profile: Profile | None) -> bool:
-    """Return whether an interval of a parameter, or that of its profile, does not hold its value [SI]."""
+    """Return whether the value [SI] of a parameter lies outside its interval or its profile interval."""
     spans = [interval] if profile is None else [interval, profile.interval]
     # To rounding: the end of an interval may be the value itself, by way of the unit cube.
     return any(not low - abs(low) * 1e-9 <= value <= high + abs(high) * 1e-9 for low, high in spans)
 
 
 class Profiler:
-    """Makes profiles of the parameters of a fit to all shots.
+    """Computes profile likelihoods of the parameters of a fit to all shots.
 
     ``noise`` is the standard deviation of each quantity [SI]; ``errors`` are those of the coordinates of the unit cube.
     """
@@ -101,11 +101,11 @@ class Profiler:
         self.errors = np.where(np.isfinite(errors), np.minimum(errors, WIDEST), WIDEST)
 
     def most_likely(self, fit: Floats) -> Floats:
-        """Return the most likely point, which is that of least squares, starting from the fit by another cost."""
+        """Return the maximum likelihood point, found by least squares from the fit with another cost."""
         return refine(self.simulator, self.cost, fit).point
 
     def profile(self, place: int, optimum: Floats) -> Profile:
-        """Return the profile of the parameter at ``place`` of the free ones, from the most likely point."""
+        """Return the profile of the free parameter with index ``place``, starting from the maximum likelihood point."""
         centre = float(optimum[place])
         least = self.cost.value(self.simulator.launch(optimum))
         sides = [self._side(place, sign, optimum, least) for sign in (-1.0, 1.0)]
@@ -127,7 +127,7 @@ class Profiler:
         )  # fmt: skip
 
     def _side(self, place: int, sign: float, optimum: Floats, least: float) -> list[tuple[float, float]]:
-        """Return places and costs from the optimum outwards, until the rise is clear or a bound is reached."""
+        """Return values and costs from the optimum outwards, until the rise is clear or a bound is reached."""
         held = np.arange(len(optimum)) == place
         point = optimum
         steps: list[tuple[float, float]] = []
@@ -145,7 +145,7 @@ class Profiler:
 
 
 def _crossing(where: Floats, rise: Floats, side: int) -> tuple[float, bool]:
-    """Return where the rise passes 3.84 for the last time on one side, and whether it does.
+    """Return where the rise last crosses 3.84 on one side, and whether it does.
 
     A profile may pass it, and fall below it again further out: what lies there is as likely.
     """
@@ -162,15 +162,16 @@ def _crossing(where: Floats, rise: Floats, side: int) -> tuple[float, bool]:
 FOLDS = 5
 BOOTSTRAP = 200
 REACH = 6.0
-"""How far the first step of a refit may go, in standard errors."""
+"""Largest first step of a refit, in standard errors."""
 NEAR_OPTIMUM = 2e-3
-"""A refit ends where the cost times the number of values, over itself, would fall by less: 1 is one standard error."""
+"""A refit ends when the relative fall of the cost, times the number of values, would be less; 1 is one standard
+error."""
 UNKNOWN_SHARE = 0.05
-"""Standard error assumed where the data do not tell, in parts of the range."""
+"""Standard error assumed if the data do not determine a parameter, as a fraction of its range."""
 
 
 class Refits:
-    """Fits to parts of the shots, each started at the optimum of all of them, a point of the unit cube.
+    """Fits to subsets of the shots, each started at the optimum for all shots, a point of the unit cube.
 
     ``errors`` are the standard errors of its coordinates; infinite where the shots do not determine one.
     """
@@ -184,7 +185,7 @@ class Refits:
         self._linear = Linear(*simulator.derivatives(optimum))
 
     def to(self, counts: NDArray[np.int64]) -> Floats:
-        """Return the fit to shots that count as often as ``counts`` says, shape (shots,)."""
+        """Return the fit to shots weighted by ``counts``, shape (shots,)."""
         used = np.flatnonzero(counts)
         first = Linear(self._linear.simulated[:, used], self._linear.derivatives[:, :, used])
         part = self.simulator.of(self.simulator.shots.select(used))
@@ -195,7 +196,7 @@ class Refits:
 
 
 def interval_of(samples: Floats, confidence: float, groups: int) -> Floats:
-    """Return the ends of the intervals of bootstrapped parameters, shape (2, free), when ``groups`` groups were drawn.
+    """Return the intervals of parameters bootstrapped from ``groups`` groups, shape (2, free).
 
     The ends are percentiles. They are moved outwards by as much as Student's t distribution is wider than the normal
     distribution, because plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know
@@ -211,7 +212,7 @@ def interval_of(samples: Floats, confidence: float, groups: int) -> Floats:
 
 
 def held_out(refits: Refits, folds: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]) -> Floats:
-    """Return launches of all shots, shape (quantities, shots), each by a fit to the other folds.
+    """Return the launches of all shots, shape (quantities, shots), each predicted by a fit to the other folds.
 
     Groups of shots are dealt to folds at random. ``once`` returns a part by name, computed where it is not yet known.
     """
@@ -228,7 +229,7 @@ def held_out(refits: Refits, folds: int, seed: int, once: Callable[[str, Callabl
 
 
 def bootstrap(refits: Refits, samples: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]) -> Floats:
-    """Return fits to groups drawn with replacement, shape (samples, free): B. Efron, Annals of Statistics 7 (1979)."""
+    """Return fits to resampled groups, shape (samples, free): B. Efron, Annals of Statistics 7 (1979)."""
     groups = refits.simulator.shots.groups
     count = int(groups.max()) + 1
     fits = []
@@ -241,18 +242,18 @@ def bootstrap(refits: Refits, samples: int, seed: int, once: Callable[[str, Call
 
 NORMAL_95 = 1.959963984540054
 NULL = 1e-9
-"""A singular value below this part of the largest is zero: derivatives are exact to about 1e-12."""
+"""A singular value below this fraction of the largest counts as zero; derivatives are exact to about 1e-12."""
 UNKNOWN = 0.5
-"""Half-width of a 95% interval, in parts of the range, at which the data tell no more than the bounds do."""
+"""Half-width of a 95% interval, as a fraction of the range, at which the data say no more than the bounds."""
 WEAK = 0.05
-"""Half-width from which a direction is called weak."""
+"""Half-width above which a direction is called weak."""
 SHOWN, SHOWN_WITHOUT_INFORMATION = 0.25, 0.02
-"""Parameters with at least this part of the largest share are named in a direction."""
+"""Parameters with at least this fraction of the largest share are named in a direction."""
 
 
 @dataclass(frozen=True, eq=False)
 class Direction:
-    """One direction of the unit cube of the parameters.
+    """A direction in the unit cube of the parameters.
 
     Attributes
     ----------
@@ -271,7 +272,7 @@ class Direction:
 
     @property
     def strength(self) -> str:
-        """How well the direction is known: ``"none"``, ``"unknown"``, ``"weak"`` or ``"known"``."""
+        """How well the direction is determined: ``"none"``, ``"unknown"``, ``"weak"`` or ``"known"``."""
         width = NORMAL_95 * self.error
         if not np.isfinite(width):
             return "none"
@@ -280,7 +281,7 @@ class Direction:
 
 @dataclass(frozen=True, eq=False)
 class Identifiability:
-    """Fisher's information about the parameters at one point.
+    """The Fisher information about the parameters at one point.
 
     Attributes
     ----------
@@ -305,14 +306,14 @@ class Identifiability:
 
     @property
     def unknown(self) -> tuple[str, ...]:
-        """The parameters about which the shots say no more than the bounds do."""
+        """The parameters about which the shots say no more than the bounds."""
         return tuple(
             name for name, error in zip(self.names, self.errors, strict=True) if not NORMAL_95 * error <= UNKNOWN
         )
 
 
 def identifiability(simulator: Simulator, point: Floats, noise: Floats) -> Identifiability:
-    """Return Fisher's information of the shots near ``point``; ``noise`` [SI] has one value a quantity."""
+    """Return the Fisher information of the shots near ``point``; ``noise`` [SI] has one value per quantity."""
     _, derivatives = simulator.derivatives(point)
     there = np.isfinite(simulator.shots.launches)
     rows = np.moveaxis(derivatives / noise[:, None, None], 1, 2)[there]
@@ -338,7 +339,7 @@ def identifiability(simulator: Simulator, point: Floats, noise: Floats) -> Ident
 
 
 def scatter(deviations: Floats, noise: Floats) -> Floats:
-    """Return the standard deviation to assume for each quantity [SI]: the scatter of its deviations or its noise.
+    """Return the standard deviation to assume for each quantity [SI]: the scatter of its deviations, or its noise.
 
     The larger of the two is taken, because a model whose error exceeds the noise is known less well. ``deviations`` has
     the shape (quantities, shots), with NaN where nothing was measured. The scatter is 1.4826 times the median
@@ -349,7 +350,7 @@ def scatter(deviations: Floats, noise: Floats) -> Floats:
 
 
 def _direction(names: tuple[str, ...], vector: Floats, error: float) -> Direction:
-    """Name what moves along a direction, the strongest first and upwards."""
+    """Describe a direction by its parameters, the strongest first and counted as increasing."""
     order = np.argsort(-np.abs(vector), kind="stable")
     vector = vector * (np.sign(vector[order[0]]) or 1.0)
     least = SHOWN if np.isfinite(error) else SHOWN_WITHOUT_INFORMATION
@@ -391,7 +392,7 @@ def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, informati
 
 
 def _moments(cost: Cost, noise: Floats) -> tuple[Floats, Floats]:
-    """Return, a quantity, the mean curvature of the loss and the variance of its slope where deviations are normal."""
+    """Return, per quantity, the mean curvature of the loss and the variance of its slope for normal deviations."""
     from scipy.special import ndtr
 
     if cost.loss == "absolute":

@@ -1,4 +1,4 @@
-"""The problem of an identification: free parameters in a unit cube, and shots as the core takes them."""
+"""The identification problem: free parameters scaled to a unit cube, and shots as inputs of the core."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ from clubface.support.checks import Frozen, check_choice, check_names, without_w
 from clubface.support.files import DATA
 
 ALL = "all"
-"""Asks for every parameter of the model."""
+"""Selects every parameter of the model."""
 
 DECADE = 10.0
-"""A positive parameter whose bounds are further apart than this factor is searched by its logarithm."""
+"""A positive parameter whose bounds differ by more than this factor is searched on a logarithmic scale."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FreeParameters:
-    """The parameters that are identified; the others keep the value of a set.
+    """The parameters to identify; the others keep the values of a parameter set.
 
     A point of the search is an array of one coordinate a free parameter, 0 at the lower bound and 1 at the upper,
     in between linear in the value or, where the bounds span more than a decade, in its logarithm.
@@ -72,7 +72,7 @@ class FreeParameters:
         return len(self.names)
 
     def values(self, points: Floats) -> Floats:
-        """Return parameter values [SI] at points of the unit cube, both of shape (..., free)."""
+        """Return the parameter values [SI] at points of the unit cube, both of shape (..., free)."""
         linear = self.lower + points * (self.upper - self.lower)
         if self.logarithmic.any():
             low, high = self._logarithms()
@@ -89,12 +89,12 @@ class FreeParameters:
         return np.clip(points, 0.0, 1.0)
 
     def slopes(self, points: Floats) -> Floats:
-        """Return the derivatives of the values by the coordinates, shape (..., free)."""
+        """Return the derivatives of the values with respect to the coordinates, shape (..., free)."""
         low, high = self._logarithms()
         return np.where(self.logarithmic, self.values(points) * (high - low), self.upper - self.lower)
 
     def columns(self, points: Floats, shots: int) -> list[Any]:
-        """Return the columns of the core for points of shape (n, free): each point is repeated for all shots."""
+        """Return the core's parameter columns for points of shape (n, free), each repeated for all shots."""
         values = self.values(points)
         columns = []
         for name, value in self.fixed.values.items():
@@ -103,18 +103,18 @@ class FreeParameters:
         return columns
 
     def single(self, point: Floats) -> list[float]:
-        """Return the value of every parameter at one point, as the core takes them."""
+        """Return the value of every parameter at one point, in the order of the core."""
         values = self.values(point)
         places = ((self._place(name), value) for name, value in self.fixed.values.items())
         return [value if place is None else float(values[place]) for place, value in places]
 
     def driven(self) -> list[list[int]]:
-        """Return, for each free parameter, the places in the registry of those that follow it, itself included."""
+        """Return, for each free parameter, the registry indices of itself and its followers."""
         order = list(self.fixed.values)
         return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
 
     def parameters(self, point: Floats, **labels: Any) -> ParameterSet:
-        """Return the set at one point; ``labels`` are its name, source and the like."""
+        """Return the parameter set at one point; ``labels`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
         return ParameterSet(
             model=self.fixed.model,
@@ -126,7 +126,7 @@ class FreeParameters:
         )
 
     def declared(self) -> list[Parameter]:
-        """Return what the registry says of the free parameters."""
+        """Return the registry entries of the free parameters."""
         return [model_named(self.fixed.model).parameter(name) for name in self.names]
 
     def _place(self, name: str) -> int | None:
@@ -134,7 +134,7 @@ class FreeParameters:
         return self.names.index(leader) if leader in self.names else None
 
     def _logarithms(self) -> tuple[Floats, Floats]:
-        """Return the logarithms of the bounds; 0 and 1 where they are not used."""
+        """Return the logarithms of the bounds, or 0 and 1 where they are not used."""
         return (
             np.log(np.where(self.logarithmic, self.lower, 1.0)),
             np.log(np.where(self.logarithmic, self.upper, np.e)),
@@ -148,7 +148,7 @@ def free_parameters(
     bounds: Mapping[str, Any] | None = None,
     tied: Mapping[str, str] | None = None,
 ) -> FreeParameters:
-    """Choose the free parameters of the model of ``fixed``, which holds the others.
+    """Choose the free parameters of a model; ``fixed`` holds the values of the others.
 
     Of ``names``, "all" are every one, and none given those that the publication identified, which then says what is
     ``tied``: parameters that follow a free one. ``bounds`` are pairs of values, text with a unit or SI, by name; left
@@ -194,7 +194,7 @@ def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Ma
 
 
 def _bounds(parameter: Parameter, given: Any, tied: Mapping[str, str], model: str) -> tuple[float, float]:
-    """Return the bounds of one parameter: what was given within what the registry allows it and its followers."""
+    """Return the bounds of one parameter: the given ones, within the registry's bounds for it and its followers."""
     followers = [model_named(model).parameter(name) for name, leader in tied.items() if leader == parameter.name]
     low = max(each.lower for each in (parameter, *followers))
     high = min(each.upper for each in (parameter, *followers))
@@ -271,31 +271,31 @@ class PreparedShots:
         return replace(self, columns=columns, launches=launches, start=start, rows=rows, groups=groups)
 
     def output_places(self) -> list[int]:
-        """Return where the quantities, and then what is met, stand among the outputs of the core."""
+        """Return the indices of the quantities and of the met values among the core's outputs."""
         order = list(outputs())
         return [order.index(name) for name in (*self.quantities, *self.met)]
 
     @property
     def met(self) -> list[str]:
-        """Names of what every set of parameters meets."""
+        """Names of the launch values that every parameter set meets exactly."""
         return list(SOLVED)[: len(self.start)]
 
     def solved_columns(self) -> list[int]:
-        """Return the columns of the inputs that are solved for it."""
+        """Return the columns of the inputs that are solved for to meet them."""
         return [input_columns()[SOLVED[name]] for name in self.met]
 
     def distinct_deliveries(self) -> int:
-        """Return the number of shots that differ in what went into them."""
+        """Return the number of shots with different inputs."""
         varied = [each for each in self.columns if not isinstance(each, float)]
         return len(np.unique(np.array(varied), axis=1).T) if varied else 1
 
     def different(self) -> int:
-        """Return the number of shots that differ in anything that was measured."""
+        """Return the number of shots that differ in any measured value."""
         varied = [each for each in self.columns if not isinstance(each, float)]
         return len(np.unique(np.array([*varied, *np.nan_to_num(self.launches)]), axis=1).T)
 
     def mean(self, name: str) -> float:
-        """Return the mean of one input over the shots [SI]."""
+        """Return the mean of an input over the shots [SI]."""
         return float(np.mean(self.columns[input_columns()[name]]))
 
 
@@ -311,7 +311,7 @@ def prepared_shots(
     parameters: ParameterSet,
     compared_at: str = DELIVERY,
 ) -> PreparedShots:
-    """Lay out recorded shots for the core, without those for which the model gives no launch with ``parameters``.
+    """Prepare recorded shots for the core, without those that the model cannot compute with ``parameters``.
 
     Parameters
     ----------

@@ -27,18 +27,18 @@ from clubface.support.arrays import Floats
 __all__ = ["Deviation", "Identification"]
 
 COLUMNS = 4
-"""Panels in a row of the picture."""
+"""Number of panels in a row of the picture."""
 HIGHEST = 3.0 * CHI_SQUARE_95
-"""Rise at the top of a panel."""
+"""The rise at the top of a panel."""
 BINS = 24
 FINE = 16
-"""Points of a curve between two places of a profile."""
+"""Number of curve points between two points of a profile."""
 COSTS = {"published": "published cost", "least-squares": "mean square", "robust": "robust cost"}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Deviation:
-    """How far the launches of a fit are from the measured ones, in one quantity [SI].
+    """Deviation of a fit's launches from the measured ones, in one quantity [SI].
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Deviation:
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Identification(Described):
-    """Identified parameters, and how well the shots determine them.
+    """Identified parameters and their uncertainty.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ class Identification(Described):
     provenance: Provenance = field(default_factory=Provenance)
 
     def to_toml(self) -> str:
-        """Write the parameters as a file that ``parameters=`` and ``--parameters`` read."""
+        """Return the parameters as the text of a file for ``parameters=`` and ``--parameters``."""
         return self.parameters.to_toml()
 
     def identified(self, name: str) -> str:
@@ -176,7 +176,7 @@ class Identification(Described):
         return "at its bound" if verdict == "yes" and name in self.at_bound else verdict
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
-        """Return a value of a parameter as text, in the unit in which people read it."""
+        """Return a parameter value as text, in the unit shown to people."""
         return units.show(value, display_unit(name, model_named(self.model).parameter(name).unit), digits)
 
     def __repr__(self) -> str:
@@ -213,7 +213,7 @@ class Identification(Described):
         )  # fmt: skip
 
     def _parameters(self) -> Table:
-        """Return every parameter, of those that are free the interval and whether it is identified."""
+        """Return every parameter, and for free ones the interval and whether it is identified."""
         names = list(self.parameters.values)
         read_as = [quantity(name, self.parameters.units[name]) for name in names]
         profiles = [self.profiles.get(name) for name in names]
@@ -248,7 +248,7 @@ class Identification(Described):
         )  # fmt: skip
 
     def _profile_words(self, profile: Profile | None) -> str:
-        """Write the interval of a profile, an end without a crossing as a bound."""
+        """Format the interval of a profile; an end without a crossing is given as a bound."""
         if profile is None:
             return ""
         ends = [self.shown(profile.name, value) for value in profile.interval]
@@ -345,14 +345,14 @@ class Identification(Described):
 
 
 def _words(value: Any) -> str:
-    """Write a setting."""
+    """Format a setting."""
     if isinstance(value, Mapping):
         return ", ".join(f"{name} follows {leader}" for name, leader in value.items()) or "none"
     return (", ".join(map(str, value)) or "none") if isinstance(value, (list, tuple)) else str(value)
 
 
 def _between(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
-    """Return a curve through the places of a profile, its root linear between them as where its interval ends."""
+    """Return a curve through the points of a profile; its square root is linear between them, as for its interval."""
     place = np.linspace(0.0, len(where) - 1.0, FINE * (len(where) - 1) + 1)
     roots = np.sqrt(rise) * np.sign(np.arange(len(rise)) - float(np.argmin(rise)))
     counted = np.arange(len(where))

@@ -1,4 +1,4 @@
-"""Identification from start to end: its stages, each of whose parts is kept so that an interrupted one goes on."""
+"""Identification from start to end, in stages whose finished parts are kept, so that an interrupted run can resume."""
 
 from __future__ import annotations
 
@@ -50,15 +50,15 @@ from clubface.support.checks import MOST_SEED, is_count
 from clubface.support.files import recorded
 
 FEWEST_GROUPS = 10
-"""Fewer groups of shots than these can be drawn in too few ways for a bootstrap alone."""
+"""With fewer groups of shots than this, there are too few resamples for a bootstrap alone."""
 
 Progress = Callable[[str, int, int, float], object]
-"""Stage, done, of how much, least cost so far."""
+"""Called with the stage, the amount done, the total, and the smallest cost so far."""
 
 
 @dataclass
 class Stages:
-    """Runs the stages in order; a finished part, which the store has with all its digits, is not computed again.
+    """Runs the stages in order; finished parts are taken from the store with all their digits.
 
     Simulator and cost are of all shots; ``noise`` is the standard deviation of each quantity [SI], and ``best`` the
     least cost so far. ``progress`` is called after every part.
@@ -77,12 +77,12 @@ class Stages:
 
     @property
     def seconds(self) -> float:
-        """Time spent on what is finished, by earlier runs as well [s]."""
+        """Time spent on finished parts, including earlier runs [s]."""
         return time.monotonic() - self._began
 
     @property
     def spent(self) -> Effort:
-        """What the finished parts took, by earlier runs as well."""
+        """Effort spent on finished parts, including earlier runs."""
         parts = [self.store[name] for name in self.store]
         return Effort(*(sum(part[key] for part in parts) for key in ("evaluations", "impacts")))
 
@@ -113,7 +113,7 @@ class Stages:
         )  # fmt: skip
 
     def refine(self, survivors: Population) -> list[tuple[Floats, float]]:
-        """Return the points and costs at which the refinements of the best survivors end."""
+        """Return the end points and costs of the refinements of the best survivors."""
         starts = survivors.best(self.settings["refined"])
         ends = []
         for place, start in enumerate(starts):
@@ -173,7 +173,7 @@ class Stages:
         )  # fmt: skip
 
     def _resampled(self, point: Floats, information: Identifiability) -> tuple[Floats | None, Floats]:
-        """Return held-out launches and bootstrapped parameters [SI], none of either where none is asked for."""
+        """Return held-out launches and bootstrapped parameters [SI]; empty if not requested."""
         folds, count, seed = (self.settings[name] for name in ("folds", "bootstrap", "seed"))
         free = self.simulator.free
         held, samples = None, np.empty((0, len(free)))
@@ -207,7 +207,7 @@ class Stages:
     def _intervals(
         self, point: Floats, information: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
     ) -> dict[str, tuple[float, float]]:
-        """Return an interval a parameter.
+        """Return one interval per parameter.
 
         That of few groups of shots takes in the one without a bootstrap. One that Fisher's information finds unknown
         takes in its profile or bounds, and the fit itself: a refit begins at the fit and would not leave it along a
@@ -240,7 +240,7 @@ class Stages:
         self.store.keep(name, {"value": value, **effort})
 
     def _once(self, name: str, compute: Callable[[], Any]) -> Any:
-        """Return the value of a part: the kept one, or one that is computed and kept now."""
+        """Return the kept value of a part, or compute and keep it."""
         if name not in self.store:
             before = replace(self.simulator.effort)
             value = compute()
@@ -248,7 +248,7 @@ class Stages:
         return self.store[name]["value"]
 
     def _reporting(self, stage: str, total: int) -> Callable[[str, Callable[[], Any]], Any]:
-        """Return :meth:`_once` for the parts of a stage, whose progress it reports."""
+        """Return :meth:`_once` for the parts of a stage, with progress reports."""
         done = 0
 
         def once(name: str, compute: Callable[[], Any]) -> Any:
@@ -310,7 +310,7 @@ def identify(
     resume: bool = False,
     progress: Progress | None = None,
 ) -> Identification:
-    """Identify the parameters of a model from recorded shots, and say how well the shots determine them.
+    """Identify the parameters of a model from recorded shots, with their uncertainty.
 
     The method is that of Caldwell and McPhee (2023), section 2.3. A genetic algorithm searches the whole range of the
     parameters, its best points are refined with exact derivatives, and the best result is kept. The fit is then

@@ -1,4 +1,4 @@
-"""The search of an identification: global, then by steps on linearised launches.
+"""The search of an identification: a global search, then steps on linearised launches.
 
 Global search: a genetic algorithm over the unit cube that evaluates a whole generation in one batch.
 
@@ -31,11 +31,11 @@ from clubface.inference.identification.simulator import Cost, Simulator
 from clubface.support.arrays import Floats
 
 POPULATION, GENERATIONS, REFINED = 200, 100, 5
-"""Those of Caldwell and McPhee (2023), section 2.3."""
+"""Settings of Caldwell and McPhee (2023), section 2.3."""
 
 
 class Population(NamedTuple):
-    """The survivors of a generation, the random one being the first, as the algorithm keeps them.
+    """The survivors of each generation, starting with the random one.
 
     They are ``points`` of the unit cube, shape (population, free), with their ``costs``, shape (population,).
     """
@@ -98,14 +98,14 @@ def _array(individuals: Any, name: str) -> Floats:
 
 
 STEPS_PER_COORDINATE = 60
-"""Steps after which the point reached is returned; a few per coordinate are usual."""
+"""Largest number of steps; a few per coordinate are usual."""
 ROUNDING = 1e-10
 TIE, GOLDEN = 1e-9, 0.6180339887498949
-"""Size of what is added to deviations to tell equal ones apart, and its ratio from one to the next."""
+"""Perturbation added to deviations to break ties, and the ratio from one to the next."""
 
 
 class _Active(NamedTuple):
-    """A constraint that holds: a deviation that vanishes, or a coordinate on a bound (``side`` -1 or +1)."""
+    """An active constraint: a deviation of zero, or a coordinate at a bound (``side`` -1 or +1)."""
 
     place: int
     side: int
@@ -158,7 +158,7 @@ def _descend_deviations(deviations: Floats, rows: Floats, low: Floats, high: Flo
 
 
 def _direction(gradient: Floats, active: list[_Active], rows: Floats) -> Floats | None:
-    """Return a direction of descent, with the constraint it leaves taken out of ``active``; None at the minimum."""
+    """Return a descent direction, removing the constraint that it leaves from ``active``; None at the minimum."""
     scale = float(np.max(np.abs(gradient))) + 1.0
     if not active:
         return -gradient if np.max(np.abs(gradient)) > ROUNDING * scale else None
@@ -184,7 +184,7 @@ def _direction(gradient: Floats, active: list[_Active], rows: Floats) -> Floats 
 def _edge(
     left: Floats, changes: Floats, slope: float, point: Floats, direction: Floats, low: Floats, high: Floats
 ) -> tuple[float, _Active | None]:
-    """Return how far the cost falls along a direction, and the constraint met there."""
+    """Return the step to the minimum of the cost along a direction, and the constraint met there."""
     with np.errstate(divide="ignore", invalid="ignore"):
         kinks = -left / changes
         walls = np.where(direction > 0.0, (high - point) / direction, (low - point) / direction)
@@ -206,11 +206,11 @@ def _edge(
 
 
 HUBER_ROUNDS = 8
-"""Reweightings of a step of the robust cost; the next linearisation goes on from there."""
+"""Number of reweightings in a step of the robust cost; the next linearisation continues from there."""
 
 
 def best_step(cost: Cost, simulated: Floats, derivatives: Floats, lower: Floats, upper: Floats) -> Floats:
-    """Return the step, shape (free,), in a box that holds 0 that minimises the cost of linear launches.
+    """Return the step, shape (free,), that minimises the cost of linearised launches in a box around 0.
 
     The launches where it begins are ``simulated``, shape (quantities, shots), and their ``derivatives`` have the shape
     (quantities, free, shots).
@@ -239,12 +239,12 @@ def best_step(cost: Cost, simulated: Floats, derivatives: Floats, lower: Floats,
 
 
 def linear_cost(cost: Cost, simulated: Floats, derivatives: Floats, step: Floats) -> float:
-    """Return the cost after a step if the launches were linear."""
+    """Return the cost after a step for linearised launches."""
     return cost.value(simulated + np.einsum("qfs,f->qs", derivatives, step))
 
 
 def _least_squares(deviations: Floats, rows: Floats, lower: Floats, upper: Floats) -> Floats:
-    """Minimise the sum of squares of deviations + rows step in the box."""
+    """Minimise the sum of squares of deviations + rows step within the box."""
     from scipy.optimize import lsq_linear
 
     scales = np.sqrt(np.sum(rows**2, axis=0))
@@ -257,24 +257,24 @@ def _least_squares(deviations: Floats, rows: Floats, lower: Floats, upper: Float
 
 
 FIRST_RADIUS = 0.1
-"""How far the first step may go, in parts of the range of each parameter."""
+"""Largest first step, as a fraction of each parameter's range."""
 SMALLEST_STEP = 1e-10
-"""A step that moves no parameter by more than this part of its range ends the refinement."""
+"""The refinement ends when no parameter moves by more than this fraction of its range."""
 SMALLEST_FALL = 1e-12
-"""So does a fall of the cost by less than this part of it, by default."""
+"""Default relative fall of the cost below which the refinement ends."""
 LAST = 50.0
-"""A step that promises less than this times the fall that matters is the last: the next one would be far smaller."""
+"""The refinement ends when the predicted fall is below this multiple of that; the next step would be far smaller."""
 MOST_STEPS = 100
 
 EXPLAINED = 1e-3
-"""Mean square of deviation over noise below which the deviations may be those of the integration."""
+"""Mean square of deviation over noise below which integration errors may dominate."""
 
 POOR, GOOD = 0.25, 0.75
-"""Shares of the promised fall of the cost below which the region shrinks and above which it grows."""
+"""Ratios of actual to predicted fall below which the trust region shrinks and above which it grows."""
 
 
 class Refined(NamedTuple):
-    """Where a refinement ended in the unit cube, shape (free,), its cost, and after how many linearisations."""
+    """The end point of a refinement in the unit cube, shape (free,), its cost, and the number of linearisations."""
 
     point: Floats
     cost: float
@@ -298,7 +298,7 @@ def refine(
     held: NDArray[np.bool_] | None = None,
     fall: float = SMALLEST_FALL,
 ) -> Refined:
-    """Minimise the cost from ``start``, a point of the unit cube, by exact derivatives; return none that is worse.
+    """Minimise the cost from ``start``, a point of the unit cube, by exact derivatives; the result is never worse.
 
     The first step goes as far as ``radius``, in all coordinates or in each; ``first`` are the launches at the start
     with their derivatives, where they are known. Coordinates that are ``held``, shape (free,), do not move. A further
@@ -355,7 +355,7 @@ def _descend(
 
 
 def _within(here: Linear, cost: Cost, lower: Floats, upper: Floats, held: NDArray[np.bool_] | None) -> Floats:
-    """Return the best step in a box of which some sides may have no width."""
+    """Return the best step in a box, some of whose sides may have zero width."""
     moving = upper > lower if held is None else (upper > lower) & ~held
     step = np.zeros(len(lower))
     if moving.any():

@@ -1,4 +1,4 @@
-"""Launches of all shots by candidate parameters with exact derivatives, and the cost of their errors."""
+"""Launches of all shots for candidate parameters, with exact derivatives, and the cost of their errors."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import check_choice, check_names
 
 MOST_ROWS = 1 << 18
-"""Impacts of one call, so that memory stays below 200 MB; a generation of the usual search, 110 000, is one call."""
+"""Largest number of impacts in one call, for less than 200 MB of memory; a usual generation, 110 000, is one call."""
 
 
 @dataclass
 class Effort:
-    """What has been computed so far: sets of parameters for all shots of a data set, and impacts."""
+    """Computing effort so far: parameter sets evaluated on all shots, and impacts."""
 
     evaluations: int = 0
     impacts: int = 0
 
     def add(self, evaluations: int, shots: int) -> None:
-        """Count some evaluations over a number of shots."""
+        """Add evaluations on a number of shots."""
         self.evaluations += evaluations
         self.impacts += evaluations * shots
 
     def since(self, before: Effort) -> Effort:
-        """Return what was added to ``before``."""
+        """Return the difference from ``before``."""
         return Effort(self.evaluations - before.evaluations, self.impacts - before.impacts)
 
 
 @dataclass
 class Simulator:
-    """Computes the launches of measured shots at points of the unit cube of free parameters, and counts the effort.
+    """Computes the launches of measured shots at points of the unit cube of free parameters, counting the effort.
 
     ``accuracy`` is the tolerance of a contact step, None for the fast setting, and 0 ``threads`` are all cores.
     """
@@ -59,7 +59,7 @@ class Simulator:
         self._tiled: dict[int, list[float | Floats]] = {}
 
     def of(self, shots: PreparedShots) -> Simulator:
-        """Return the same for other shots; what it computes is counted together."""
+        """Return a simulator for other shots that shares the effort count."""
         return replace(self, shots=shots)
 
     def launches(self, points: Floats) -> Floats:
@@ -78,7 +78,7 @@ class Simulator:
         return self.launches(point[None, :])[:, 0, :]
 
     def before(self) -> Floats:
-        """Return the launch quantities [SI] with the set that holds the fixed parameters, shape (quantities, shots)."""
+        """Return the launch quantities [SI] with the initial parameter set, shape (quantities, shots)."""
         launches = self._computed(self.shots.columns, self.free.fixed.columns(), len(self.shots))
         self.effort.add(1, len(self.shots))
         return launches[self._places]
@@ -120,13 +120,13 @@ class Simulator:
         return computed[self._places].reshape(len(self._places), count, shots)
 
     def _computed(self, inputs: list[Any], parameters: list[Any], count: int) -> Floats:
-        """Return all outputs of the core, at the measured launch if that is to be met; NaN where it cannot be."""
+        """Return all outputs of the core, meeting the measured launch if required; NaN where that is impossible."""
         inputs = self._met(inputs, parameters, count)
         computed, _ = core.impact(self.free.fixed.model, inputs, parameters, count, self.accuracy, self.threads)
         return computed
 
     def _met(self, inputs: list[Any], parameters: list[Any], count: int) -> list[Any]:
-        """Return the inputs with the loft and face angle that meet the measured launch, NaN where none do."""
+        """Return the inputs with the loft and face angle that meet the measured launch; NaN where none do."""
         columns = self.shots.solved_columns()
         if not columns:
             return inputs
@@ -151,7 +151,7 @@ class Simulator:
         return met
 
     def _inputs(self, count: int) -> list[float | Floats]:
-        """Return the columns of the deliveries, repeated for ``count`` sets of parameters; the last ones are kept."""
+        """Return the delivery columns repeated for ``count`` parameter sets; the most recent result is cached."""
         if count not in self._tiled:
             tiled = [each if isinstance(each, float) else np.tile(each, count) for each in self.shots.columns]
             self._tiled = {count: tiled}
@@ -159,7 +159,7 @@ class Simulator:
 
 
 def _at_launch(by_point: Floats, by_angle: Floats, count: int) -> Floats:
-    """Return derivatives of the first ``count`` outputs that hold how the solved angles follow what moves the others.
+    """Return the total derivatives of the first ``count`` outputs, including the change of the solved angles.
 
     With outputs q and met ones m, angles a and coordinates p: m(a, p) stays, so that da/dp = -(dm/da)^-1 dm/dp, and
     dq/dp = q_p - q_a (m_a)^-1 m_p.
@@ -176,7 +176,7 @@ def _at_launch(by_point: Floats, by_angle: Floats, count: int) -> Floats:
 Loss = Literal["absolute", "squares", "huber"]
 
 LOSSES: dict[str, Loss] = {"published": "absolute", "least-squares": "squares", "robust": "huber"}
-"""The loss of each cost by its name."""
+"""The loss function of each cost, by name."""
 
 NORMALISERS = ("absolute", "signed")
 
@@ -214,7 +214,7 @@ class Cost:
     knees: Floats
 
     def of(self, simulated: Floats) -> Floats:
-        """Return the cost of launches of shape (quantities, ..., shots), shape (...); infinite where one is NaN."""
+        """Return the cost of launches of shape (quantities, ..., shots) with shape (...); infinite if any is NaN."""
         total = np.zeros(simulated.shape[1:-1])
         for quantity in range(len(simulated)):
             losses = self._losses(simulated[quantity] - self.measured[quantity], self.knees[quantity])
@@ -224,11 +224,11 @@ class Cost:
         return np.where(np.isnan(total), np.inf, total)
 
     def select(self, chosen: NDArray[Any], counts: NDArray[np.int64]) -> Cost:
-        """Return the cost of some of the shots, each counting as often as ``counts`` says, with the same weights."""
+        """Return the cost of a subset of the shots, weighted by ``counts``, with the same scales."""
         return Cost(self.loss, self.measured[:, chosen], self.weights[:, chosen] * counts, self.knees)
 
     def absolute(self) -> Cost:
-        """Return the sum of absolute deviations, each in the unit in which its loss is 1."""
+        """Return the sum of absolute deviations, each scaled so that its loss is 1."""
         return Cost("absolute", self.measured, np.sqrt(self.weights), self.knees)
 
     def value(self, simulated: Floats) -> float:
@@ -291,7 +291,7 @@ def cost_of(
 
 
 def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> Floats:
-    """Return the standard deviation of each quantity [SI]: :data:`NOISE`, with the values ``given`` replaced."""
+    """Return the standard deviation of each quantity [SI]: :data:`NOISE`, updated with the ``given`` values."""
     given = dict(given or {})
     check_names("quantity with noise", given, quantities)
     deviations = []
