@@ -10,7 +10,7 @@ jax = pytest.importorskip("jax", reason="the extra jax is not installed")
 import jax.numpy as jnp  # noqa: E402
 
 from clubface import chain  # noqa: E402
-from clubface.chain.attachment import attached_inputs  # noqa: E402
+from clubface.chain.flexible import attached_inputs  # noqa: E402
 from clubface.chain.mechanics import (  # noqa: E402
     accelerations,
     head_motion,

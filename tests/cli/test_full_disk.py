@@ -12,7 +12,7 @@ import pytest
 from clubface.errors import FileError
 from clubface.fem import case as cases
 from clubface.jobs import store
-from clubface.present import files
+from clubface.present import report
 from clubface.shots.prediction import predict
 from command_line import MAIN
 from deliveries import HEAD
@@ -135,7 +135,7 @@ def test_a_run_of_finite_elements_is_shown_where_the_disk_is_full_and_kept_where
     def full(*_, **__):
         raise FileError("out/figures.json", None, "cannot be written: No space left on device")
 
-    monkeypatch.setattr(files, "write_json", full)
+    monkeypatch.setattr(report, "write_json", full)
     quick = cases.case("paper").replace(settings={"duration": 5e-6, "frames": 0})
     monkeypatch.setattr(cases, "case", lambda _: quick)
     ran = clubface_("fem", "run", "paper", "-o", str(tmp_path / "out"))

@@ -29,7 +29,7 @@ def client(site, *, headers=None, **options):
     """A client of the application, whose addresses begin behind the token."""
     from starlette.testclient import TestClient
 
-    from clubface.studio.app import make_application
+    from clubface.studio.serve import make_application
 
     return TestClient(
         make_application(made_site(site), TOKEN, **options), base_url=f"http://{HOST}/{TOKEN}/",

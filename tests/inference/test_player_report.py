@@ -14,7 +14,7 @@ from clubface.design.golfer_estimate import estimate_golfer
 from clubface.design.loft_fit import fit_loft, player_loft_notes
 from clubface.design.optimisation.advice import WORTH
 from clubface.errors import InputError
-from clubface.inference import player_notes, player_page, player_report, player_statistics
+from clubface.inference import player_page, player_report, player_statistics
 from clubface.inference.player_report import player_result, result_of_clubs, statistics_by_club
 from clubface.inference.player_statistics import club_statistics
 from clubface.present.document import Appendix, Listing, TextTable
@@ -53,7 +53,7 @@ def data(notes):
 
 def test_the_typical_shot_is_the_median_of_the_file():
     given = shots(carry=230 * YD, side=-12 * YD)
-    notes = data(player_notes.typical_notes(club_statistics(given, "Driver")))
+    notes = data(player_page.typical_notes(club_statistics(given, "Driver")))
     typical = notes["player-typical-shot"]
     assert typical["shots"] == 12
     for name, value in typical["figures"].items():
@@ -84,22 +84,22 @@ def page_codes(result):
 
 def test_start_face_and_path_are_those_measured():
     given = shots()
-    notes = data(player_notes.line_notes(club_statistics(given, "Driver")))
+    notes = data(player_page.line_notes(club_statistics(given, "Driver")))
     start = notes["player-start-and-curve"]
     assert start["azimuth"] == np.median(given.launches["azimuth"])
     flight = clubface.fly(given.launches)
     assert start["curve"] == pytest.approx(np.median(flight.curve), rel=1e-12)
     assert start["shape"] == "push slice"  # as the face is open, and more so to the path
     assert club_statistics(dataclasses.replace(given, hand=["left"] * 12), "Driver").shot_shape == "pull hook"
-    axis = data(player_notes.line_notes(club_statistics(shots(drop=("total_spin",)), "Driver")))
+    axis = data(player_page.line_notes(club_statistics(shots(drop=("total_spin",)), "Driver")))
     assert axis["player-start-and-spin-axis"]["spin_axis"] == np.median(given.launches["spin_axis"])
     measured = notes["player-face-and-path"]
     assert (measured["face"], measured["path"]) == tuple(np.median(given.deliveries[name]) for name in ("face", "path"))
     # The face is open to the path by five degrees, whose medians are known to a tenth.
     assert notes["player-face-to-path"]["face"] == pytest.approx(5 * DEG, abs=0.4 * DEG)
     at_contact = club_statistics(dataclasses.replace(given, face_at="contact"), "Driver")
-    assert "player-face-and-path" in data(player_notes.line_notes(at_contact))  # converted to the face centre
-    unknown = data(player_notes.line_notes(club_statistics(shots(drop=("face",)), "Driver")))
+    assert "player-face-and-path" in data(player_page.line_notes(at_contact))  # converted to the face centre
+    unknown = data(player_page.line_notes(club_statistics(shots(drop=("face",)), "Driver")))
     assert list(unknown["player-face-and-path-estimated"]["margins"]) == ["face"]
 
 
@@ -128,11 +128,11 @@ def test_a_closing_face_is_named_with_what_it_does_to_start_and_bend():
     moved = clubface.impact("driver", base).azimuth - without.azimuth
     # To the first order: what the second adds over all of the rate is some per cent of it.
     assert result.closing["azimuth"] == pytest.approx(moved, rel=0.1)
-    closing = data(player_notes.line_notes(result))["player-closing-usual"]
+    closing = data(player_page.line_notes(result))["player-closing-usual"]
     assert closing["azimuth"] < 0.0 < closing["sidespin"]
     measured = shots()
     measured.deliveries["closure"] = np.full(12, 2500 * DEG)
-    assert "player-closing" in data(player_notes.line_notes(club_statistics(measured, "Driver")))
+    assert "player-closing" in data(player_page.line_notes(club_statistics(measured, "Driver")))
 
 
 def test_the_only_player_of_a_file_is_named():
@@ -145,14 +145,14 @@ def test_the_only_player_of_a_file_is_named():
 
 
 def test_a_strike_that_was_measured_is_given_and_one_that_was_not_is_estimated_only_where_the_flight_shows_it():
-    measured = data(player_notes.strike_notes(club_statistics(shots(), "Driver")))["player-strike"]
+    measured = data(player_page.strike_notes(club_statistics(shots(), "Driver")))["player-strike"]
     assert (measured["toe"], measured["high"]) == (8e-3, 0.0)
     result = club_statistics(shots(drop=("toe", "high")), "Driver")
-    estimated = data(player_notes.strike_notes(result))["player-strike-estimated"]
+    estimated = data(player_page.strike_notes(result))["player-strike-estimated"]
     # Face and path were measured, so that gear effect and start line betray the strike; the truth is inside.
     assert estimated["low_toe"] < 8e-3 < estimated["high_toe"]
     nothing = club_statistics(shots(drop=("toe", "high", "face", "path", "loft", "attack", "speed")), "Driver")
-    assert list(player_notes.strike_notes(nothing)) == []
+    assert list(player_page.strike_notes(nothing)) == []
 
 
 def test_the_what_if_is_that_of_the_model():
@@ -160,7 +160,7 @@ def test_the_what_if_is_that_of_the_model():
     assert result.inferred is not None
     base = result.inferred.mean
     still = clubface.impact("driver", base)
-    notes = data(player_notes.what_if_notes(result))
+    notes = data(player_page.what_if_notes(result))
     assert len(notes) == len(result.changes) == 7
     for name, step, quantity in (("face", DEG, "azimuth"), ("high", 5e-3, "launch"), ("high", 5e-3, "backspin")):
         change = next(each for each in result.changes if each.name == name)
@@ -189,7 +189,7 @@ def test_a_change_of_spin_has_its_sign_and_one_too_small_to_print_is_left_out():
 
 def test_what_is_not_known_is_noted():
     three = club_statistics(shots(3, carry=np.array([220.0, 230.0, 240.0]) * YD), "Driver")
-    notes = data(player_notes.doubt_notes(three))
+    notes = data(player_page.doubt_notes(three))
     # Student's t of 2 degrees of freedom, 4.303, times the error of the median, sqrt(pi / 2) times 10 yards over the
     # root of 3.
     expected = 4.302653 * np.sqrt(np.pi / 2 / 3) * 10 * YD
@@ -198,14 +198,14 @@ def test_what_is_not_known_is_noted():
     chipper = club_statistics(shots(club="Chipper"), "Chipper")
     assert chipper.club is None
     assert chipper.changes == ()
-    assert data(player_notes.doubt_notes(chipper))["player-no-model"]["club"] == "Chipper"
+    assert data(player_page.doubt_notes(chipper))["player-no-model"]["club"] == "Chipper"
 
 
 def test_shots_whose_figures_are_inconsistent_are_named():
     given = shots()
     given.deliveries["attack"][4] = 15 * DEG
-    assert data(player_notes.doubt_notes(club_statistics(given, "Driver")))["player-inconsistent-rows"]["rows"] == [6]
-    assert "player-inconsistent-rows" not in data(player_notes.doubt_notes(club_statistics(shots(), "Driver")))
+    assert data(player_page.doubt_notes(club_statistics(given, "Driver")))["player-inconsistent-rows"]["rows"] == [6]
+    assert "player-inconsistent-rows" not in data(player_page.doubt_notes(club_statistics(shots(), "Driver")))
 
 
 def with_topped_drive(count=10):
@@ -220,7 +220,7 @@ def test_one_topped_drive_in_ten_is_named_and_moves_nothing_else():
     given = with_topped_drive()
     kept = np.arange(10) != 4
     topped, clean = club_statistics(given, "Driver"), club_statistics(given.select(kept), "Driver")
-    (named,) = player_notes.mishit_notes(topped)
+    (named,) = player_page.mishit_notes(topped)
     assert (named.code, named.data["row"]) == ("player-mishit", 6)
     assert {"ball_speed", "carry"} <= set(named.data["figures"])
     assert named.data["figures"]["carry"] == pytest.approx(30 * YD, rel=1e-14)
@@ -229,8 +229,8 @@ def test_one_topped_drive_in_ten_is_named_and_moves_nothing_else():
     }
     assert topped.inferred == clean.inferred
     assert topped.changes == clean.changes
-    assert list(player_notes.typical_notes(topped)) == list(player_notes.typical_notes(clean))
-    assert list(player_notes.mishit_notes(clean)) == []
+    assert list(player_page.typical_notes(topped)) == list(player_page.typical_notes(clean))
+    assert list(player_page.mishit_notes(clean)) == []
     page = player_result(given)
     (club,) = (each for each in page.parts if each.kind == "club")
     (panel, _) = club.pictures()[0].panels()
@@ -471,7 +471,7 @@ def test_a_report_on_very_many_players_notes_what_it_leaves_out(monkeypatch):
     given = dataclasses.replace(given, players=np.array(["Ann", "Bob", "Cid"] * 6, dtype=object))
     clubs = statistics_by_club(given)
     assert [each.inferred.shots for each in clubs] == [5, 5, 5]
-    assert [data(player_notes.doubt_notes(each))["player-delivery-of-some"]["shots"] for each in clubs] == [5, 5, 5]
+    assert [data(player_page.doubt_notes(each))["player-delivery-of-some"]["shots"] for each in clubs] == [5, 5, 5]
     result = result_of_clubs(clubs, given)
     players = [each for each in result.parts if each.kind == "player"]
     assert [each.title for each in players] == ["Ann", "Bob", "Cid"]
@@ -511,7 +511,7 @@ def test_the_command_writes_the_report_of_a_monitors_file(clubface_, tmp_path, w
 @pytest.mark.parametrize("count", [4, 5, 6, 9, 10, 11])
 def test_how_many_shots_more_would_tell_twice_as_well(count):
     """The error of a mean falls with the square root of the number of shots."""
-    notes = data(player_notes.doubt_notes(club_statistics(shots(count), "Driver")))
+    notes = data(player_page.doubt_notes(club_statistics(shots(count), "Driver")))
     if 5 <= count < 10:
         assert np.sqrt((count + notes["player-more-shots"]["more"]) / count) == 2.0
     else:

@@ -10,7 +10,7 @@ from hypothesis import given, strategies as st
 
 from clubface import units
 from clubface.errors import UnknownNameError
-from clubface.present.files import csv_text, json_text, write_table
+from clubface.present.report import csv_text, json_text, write_table
 from clubface.present.terminal import as_text
 from clubface.quantities import quantities, quantity
 from clubface.results import Result, column, note, text

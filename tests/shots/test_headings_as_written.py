@@ -10,8 +10,7 @@ from clubface.errors import FileError
 from clubface.quantities import quantity
 from clubface.shots.formats import MEASURED
 from clubface.shots.monitors import FORMATS, TABLE
-from clubface.shots.tables.headings import DELIVERY_QUANTITIES, HAND, delivery_words, shot_words
-from clubface.shots.tables.vocabulary import vocabulary
+from clubface.shots.tables.headings import DELIVERY_QUANTITIES, HAND, delivery_words, shot_words, vocabulary
 from clubface.units import to_si
 
 

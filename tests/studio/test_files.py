@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 
 pytest.importorskip("starlette")
 
-from clubface.studio.uploads import LARGEST, MOST_FILES, bare_name
+from clubface.studio.files import LARGEST, MOST_FILES, bare_name
 from fuzz_mutations import mutated
 from studio_pages import added, client, session
 

@@ -4,7 +4,7 @@ import pytest
 
 pytest.importorskip("starlette")
 
-from clubface.studio.guard import new_token
+from clubface.studio.serve import new_token
 from studio_pages import HOST, TOKEN, client
 
 

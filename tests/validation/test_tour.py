@@ -11,7 +11,7 @@ from clubface import units
 from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
-from clubface.present.folder import write_folder
+from clubface.present.report import write_folder
 from clubface.simulation import launch_conditioned
 from clubface.validation import tour, tour as job
 from clubface.validation.tour import averages, first_model, loft_of_ratio, mean_table, spin_ratio, spin_ratio_of

@@ -13,8 +13,7 @@ from jax.core import Tracer
 from jax.typing import ArrayLike
 
 import clubface.jax
-from clubface.chain.attachment import attached_inputs
-from clubface.chain.flexible import flexible_shaft
+from clubface.chain.flexible import attached_inputs, flexible_shaft
 from clubface.chain.golfer import BY_JOINT, GolferBody
 from clubface.chain.mechanics import (
     GRAVITY,

@@ -171,7 +171,7 @@ def compare(
     """Compare clubs, balls, models, parameters or deliveries, and show what makes the difference."""
     from clubface.design.comparison import MOST, compare as computed
     from clubface.design.contributions import QUANTITIES
-    from clubface.present.files import write_table
+    from clubface.present.report import write_table
 
     deliveries, unit, split, nodes = (texts[name] for name in ("deliveries", "unit", "split", "nodes"))
     file_units = options.pairs(unit or (), "--unit") if deliveries is not None else {}

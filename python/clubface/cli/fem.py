@@ -42,8 +42,6 @@ MOVING = 81
 """Number of frames in an animation."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
 """The case of Fig. 8 in Roh and Lee."""
-
-
 GRID = options.group(None, {
     "speed": (str, SPEEDS, "FIRST:LAST:STEP", "Clubhead speeds, m/s."),
     "loft": (str, LOFTS, "FIRST:LAST:STEP", "Lofts, deg."),
@@ -308,7 +306,7 @@ def _write(result: Result, folder: str | None) -> list[Path]:
     if folder is None:
         return []
     from clubface.present.drawing import draw
-    from clubface.present.files import write_json, write_table
+    from clubface.present.report import write_json, write_table
     from clubface.present.style import save
 
     target = prepared_folder(folder)

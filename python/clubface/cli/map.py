@@ -15,8 +15,6 @@ from clubface.errors import ClubfaceError, InputError
 from clubface.support.checks import check_names
 
 app = typer.Typer(add_completion=False)
-
-
 MAP = options.group(None, {
     "minus": (str | None, None, "CLUB", "Map the first club minus this one."),
     "quantity": (options.Texts, None, "NAME", "A quantity, such as carry. Several: comma-separated or repeated."),
@@ -38,7 +36,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     from clubface.design.face_map import FaceMapDifference, map_face
     from clubface.design.face_map_result import LISTED
     from clubface.design.face_surface import finished
-    from clubface.present.files import write_table
+    from clubface.present.report import write_table
 
     minus, spread, grid = (texts[name] for name in ("minus", "spread", "grid"))
     output = show.Output.check(texts, [club, minus, texts["ball"], texts["parameters"]])

@@ -191,7 +191,7 @@ def read(
     **texts: Any,
 ) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
-    from clubface.present.files import write_table
+    from clubface.present.report import write_table
     from clubface.shots.recorded_result import rejected_table, shots_result
 
     read_files = [*files, texts["mapping"]]
@@ -242,7 +242,7 @@ def _seconds(option: str, text: str, above: float | None = None) -> float:
 def _shot_text(message: Message, as_json: bool) -> str:
     """Return a shot as a line of text, or as JSON."""
     if as_json:
-        from clubface.present.files import json_text
+        from clubface.present.report import json_text
 
         shot = {"device": message.device, "shot": message.shot_number, **message.delivery, **message.launch}
         return json_text(shot, indent=None)

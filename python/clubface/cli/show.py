@@ -78,7 +78,7 @@ class Output:
 
         ``inputs`` are files that are read, ``kinds`` the endings of the table's file.
         """
-        from clubface.present.files import TABLES
+        from clubface.present.report import TABLES
 
         given = list(inputs)
         result = cls(
@@ -111,7 +111,7 @@ class Output:
             more = [*more, *self._write(result, write_table, {"": result} if parts is None else parts)]
         finally:  # what took long is shown even where a disk is full
             if self.as_json:
-                from clubface.present.files import json_text
+                from clubface.present.report import json_text
 
                 print(json_text(result.to_dict()))
             else:
@@ -123,9 +123,9 @@ class Output:
     def _write(self, result: Result, write_table: bool, parts: Mapping[str, Result]) -> list[Path]:
         """Write the requested files and return the files in the folder."""
         if self.target is not None and write_table:
-            from clubface.present import files
+            from clubface.present import report
 
-            files.write_table(result.table(), self.target)
+            report.write_table(result.table(), self.target)
         if self.plot is not None:
             save_picture(result, self.plot, self.units)
         if self.report is not None:
@@ -134,7 +134,7 @@ class Output:
             write_report(result, self.report, units=self.units, command=app.command())
         if self.folder is None:
             return []
-        from clubface.present.folder import write_folder
+        from clubface.present.report import write_folder
 
         written = []
         for name, each in parts.items():

@@ -13,16 +13,17 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface.errors import InputError
-from clubface.inference.player_notes import (
+from clubface.inference.player_page import (
+    LoftNotes,
     change_note,
     doubt_notes,
     line_notes,
     mishit_notes,
+    page_parts,
     strike_notes,
     typical_notes,
     what_if_notes,
 )
-from clubface.inference.player_page import LoftNotes, page_parts
 from clubface.inference.player_statistics import (
     MOST_INFERRED,
     ClubStatistics,

@@ -1,7 +1,14 @@
-"""A result as a report: a summary in words, pictures, tables with their data, and provenance."""
+"""Writes results with all digits: JSON and tables, reports, folders with all of these, and HTML for notebooks.
+
+A report is a summary in words, pictures, tables with their data, and provenance.
+"""
 
 from __future__ import annotations
 
+import csv
+import html
+import io
+import json
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -9,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from clubface.errors import LINES, FileError, legible
 from clubface.present.document import (
     Appendix,
     Block,
@@ -27,7 +35,11 @@ from clubface.present.terminal import headings_and_rows, values_of
 from clubface.results.pictures import Picture
 from clubface.results.result import Provenance, Result
 from clubface.results.table import Table
+from clubface.support.checks import plain
+from clubface.support.files import prepared_folder, whole_file, write_text
 
+TABLES = (".csv", ".tsv", ".parquet", ".pq")
+"""Endings of table files."""
 WORKS = {
     "Caldwell and McPhee|Three-dimensional golf clubhead": "Caldwell and McPhee (2023): Three-dimensional golf "
     "clubhead-ball impact models for drivers and irons, and the thesis it grew out of, A. W. Caldwell, Development and "
@@ -40,6 +52,45 @@ WORKS = {
     "TrackMan Combine": "TrackMan (2024): averages of the TrackMan Combine by handicap",
 }
 """Full references of works that are cited briefly, by a pattern of the short form."""
+MOST_ROWS = 60
+"""Maximum number of table rows in a notebook."""
+
+
+def json_text(document: Any, *, indent: int | None = 2) -> str:
+    """Return JSON text; NaN and infinities become null, and control characters are escaped."""
+    text = json.dumps(plain(document), indent=indent, allow_nan=False, ensure_ascii=False)
+    return "".join(each if each.isprintable() or each == "\n" else json.dumps(each)[1:-1] for each in text)
+
+
+def csv_text(table: Table, delimiter: str = ",") -> str:
+    """Return a table as CSV text; numbers keep all their digits."""
+    kept = io.StringIO()
+    csv.writer(kept, delimiter=delimiter, lineterminator="\n").writerows(table.csv_rows())
+    return legible(kept.getvalue(), LINES)
+
+
+def write_table(table: Table, path: str | os.PathLike[str]) -> Path:
+    """Write a table to a CSV or Parquet file, by its ending."""
+    target = Path(path)
+    ending = target.suffix.lower()
+    if ending not in TABLES:
+        raise FileError(str(target), None, f"the name must end in {' or '.join(TABLES)}")
+    if ending in (".csv", ".tsv"):
+        return write_text(target, csv_text(table, "\t" if ending == ".tsv" else ","))
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError:
+        raise FileError(str(target), None, 'a Parquet file needs pyarrow: pip install "clubface[tables]"') from None
+    columns = {each.key: [each.exact(row) for row in range(len(table))] for each in table.file_columns}
+    with whole_file(target) as file:
+        pyarrow.parquet.write_table(pyarrow.table(columns), file)
+    return target
+
+
+def write_json(result: Result, path: str | os.PathLike[str]) -> Path:
+    """Write a result to a JSON file."""
+    return write_text(path, json_text(result.to_dict()) + "\n")
 
 
 def write_report(
@@ -186,3 +237,78 @@ def _repeat_blocks(provenance: Provenance, command: str) -> Iterator[Block]:
 def _data(table: Table, prefix: str = "") -> Data:
     rows: Sequence[Sequence[Any]] = list(table.csv_rows())
     return Data(file_name(prefix + table.name), rows[0], rows[1:])
+
+
+def write_folder(
+    result: Result,
+    folder: str | os.PathLike[str],
+    *,
+    units: Mapping[str, str] | None = None,
+    command: str = "",
+    pages: Sequence[str] = (".md",),
+    tables: Mapping[str, Table] | None = None,
+) -> list[Path]:
+    """Write a result to a folder, creating it if needed; return the files.
+
+    The page (Markdown), JSON and the main table (CSV) are called as the kind of the result, the other tables and the
+    pictures (PNG and SVG) by their names.
+
+    Parameters
+    ----------
+    units
+        Units for people, by quantity.
+    command
+        What computes the result again.
+    pages
+        Endings of its pages; one in HTML has the pictures inside.
+    tables
+        Further tables by the name of their file, or what stands there in place of a table of the result.
+    """
+    from clubface.present.drawing import draw
+    from clubface.present.style import save
+
+    target = prepared_folder(folder)
+    files = []
+    for ending in pages:
+        shown = result if ending == ".html" else result.replace(draw=None)
+        files.append(write_report(shown, target / f"{result.kind}{ending}", units=units, command=command))
+    main, *others = result.tables
+    named = {f"{result.kind}.csv": main} | {f"{each.name.replace('_', '-')}.csv": each for each in others}
+    files += [write_table(each, target / name) for name, each in (named | dict(tables or {})).items()]
+    files.append(write_json(result, target / f"{result.kind}.json"))
+    for each in result.pictures():
+        figure = draw(each, units)
+        files += [save(figure, target / f"{each.name}{ending}") for ending in (".png", ".svg")]
+    return files
+
+
+def as_fragment(result: Result) -> str:
+    """Return a result as HTML for a notebook."""
+    parts = [f"<p>{html.escape(each.sentence)}</p>" for each in result.assumptions]
+    parts.append(f"<strong>{html.escape(result.title)}</strong>")
+    if rows := values_of(result.values):
+        parts.append(_table(["", "", ""], [list(each) for each in rows]))
+    for each in result.tables:
+        if not each.printed or not len(each):
+            continue
+        if each.title and each.title != result.title:
+            parts.append(f"<p>{html.escape(each.title)}</p>")
+        if each.layout == "list":
+            parts.append(_table(["", "", ""], [list(row) for row in values_of(each.columns)]))
+            continue
+        heads, rows = headings_and_rows(each)
+        parts.append(_table([f"{words} ({unit})" if unit else words for words, unit in heads], rows))
+    sentences = dict.fromkeys(each.sentence for each in (*result.summary, *result.notes))
+    if sentences:
+        parts.append("<ul>" + "".join(f"<li>{html.escape(each)}</li>" for each in sentences) + "</ul>")
+    return "\n".join([*parts, *map(as_fragment, result.parts)])
+
+
+def _table(heads: list[str], rows: list[list[str]]) -> str:
+    def line(cells: list[str], tag: str) -> str:
+        return f"<tr>{''.join(f'<{tag}>{html.escape(each)}</{tag}>' for each in cells)}</tr>"
+
+    body = "".join(line(each, "td") for each in rows[:MOST_ROWS])
+    more = len(rows) - MOST_ROWS
+    rest = f"<tr><td colspan={len(heads)}>and {more} more rows</td></tr>" if more > 0 else ""
+    return f"<table><thead>{line(heads, 'th')}</thead><tbody>{body}{rest}</tbody></table>"

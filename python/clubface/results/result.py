@@ -25,8 +25,6 @@ if TYPE_CHECKING:
     import xarray
 
     from clubface.results.pictures import Picture
-
-
 Placement = Literal["here", "page", "appendix"]
 TITLE_LINE = 0.16
 """Height of a line of the title of a picture [inches]."""
@@ -249,12 +247,12 @@ class Result:
 
         ``tables`` are further ones, or replacements, by the name of their file.
         """
-        from clubface.present.folder import write_folder
+        from clubface.present.report import write_folder
 
         return write_folder(self, folder, pages=(".html", ".md"), tables=tables)
 
     def _repr_html_(self) -> str:
-        from clubface.present.notebook import as_fragment
+        from clubface.present.report import as_fragment
 
         return as_fragment(self)
 

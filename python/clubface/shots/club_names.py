@@ -7,7 +7,7 @@ import unicodedata
 from functools import lru_cache
 from itertools import pairwise
 
-from clubface.shots.tables.vocabulary import by_word, vocabulary
+from clubface.shots.tables.headings import by_word, vocabulary
 
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
 """Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""

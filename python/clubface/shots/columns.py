@@ -14,6 +14,7 @@ from clubface.shots.formats import COMMON, MEASURED, Format, dimension_of, side_
 from clubface.shots.tables.cells import unit_in
 from clubface.shots.tables.headings import (
     POINTS,
+    SIDES,
     FileColumn,
     HeadingParts,
     given_unit,
@@ -23,8 +24,8 @@ from clubface.shots.tables.headings import (
     squeezed,
     unit_of_column,
     unit_symbol,
+    vocabulary,
 )
-from clubface.shots.tables.vocabulary import SIDES, vocabulary
 from clubface.units import DIMENSIONLESS
 
 _COLUMNS = vocabulary()["columns"]

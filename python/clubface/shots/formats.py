@@ -38,18 +38,21 @@ from clubface.schema import FLAG, TEXT, Choice, Document, Place, Record, decode,
 from clubface.shots.tables.cells import is_number
 from clubface.shots.tables.headings import (
     DELIVERY_QUANTITIES,
+    FACE_TO_PATH,
     HAND,
     LAUNCH_QUANTITIES,
     SECOND_CHOICE,
+    SIDES,
     HeadingParts,
     KnownHeadings,
+    Side,
     plain,
     plain_name,
     shot_words,
     squeezed,
     unit_symbol,
+    vocabulary,
 )
-from clubface.shots.tables.vocabulary import FACE_TO_PATH, SIDES, Side, vocabulary
 from clubface.support.checks import check_choice
 from clubface.units import DIMENSIONLESS, unit
 

@@ -33,9 +33,8 @@ from clubface.shots.tables.cells import (
     reading,
 )
 from clubface.shots.tables.chunk import Reject
-from clubface.shots.tables.headings import POINTS, FileColumn, plain, squeezed
+from clubface.shots.tables.headings import FACE_TO_PATH, MIRRORED, POINTS, WORLD, FileColumn, plain, squeezed
 from clubface.shots.tables.row_source import Row
-from clubface.shots.tables.vocabulary import FACE_TO_PATH, MIRRORED, WORLD
 from clubface.simulation.results import inputs
 from clubface.support.arrays import Floats
 from clubface.units import size, to_si, unit

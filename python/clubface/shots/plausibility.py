@@ -21,8 +21,7 @@ from numpy.typing import NDArray
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
 from clubface.shots.club_names import club_kind
-from clubface.shots.tables.headings import FileColumn, shot_words
-from clubface.shots.tables.vocabulary import FACE_TO_PATH
+from clubface.shots.tables.headings import FACE_TO_PATH, FileColumn, shot_words
 from clubface.simulation.spin import wrapped
 from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
@@ -63,8 +62,6 @@ RANGES: Mapping[str, tuple[float, float]] = {
 """The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
 TURNING = ("azimuth", "spin_axis")
 """Directions that some programs count through a whole turn: 352.5 degrees is -7.5."""
-
-
 RATIOS: Mapping[str, float] = {"driver": 1.6, "wood": 1.6, "hybrid": 1.6, "iron": 1.55, "wedge": 1.4, "putter": 1.8}
 """The most that ball speed over club speed can be, by kind of club.
 

@@ -24,9 +24,8 @@ from clubface.errors import InputError, Wording
 from clubface.results.notes import Note, free_text, note
 from clubface.results.result import Presentable, Result
 from clubface.shots.plausibility import can_be
-from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, heading_of, shot_words
+from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, by_word, heading_of, shot_words, vocabulary
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
-from clubface.shots.tables.vocabulary import by_word, vocabulary
 from clubface.shots.tables.writer import write_columns
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import inputs

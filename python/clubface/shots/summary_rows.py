@@ -19,8 +19,7 @@ import numpy as np
 from clubface.shots.club_names import club_kind
 from clubface.shots.formats import PLAYER
 from clubface.shots.tables.chunk import Chunk
-from clubface.shots.tables.headings import HAND, ColumnLayout, plain
-from clubface.shots.tables.vocabulary import by_word, vocabulary
+from clubface.shots.tables.headings import HAND, ColumnLayout, by_word, plain, vocabulary
 from clubface.support.arrays import Floats
 
 MEAN, MEDIAN, DEVIATION, MOST, LEAST, SUM = "mean", "median", "deviation", "most", "least", "sum"

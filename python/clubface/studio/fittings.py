@@ -21,11 +21,9 @@ from clubface.equipment.clubs import CLUB_NAMES, club as club_named
 from clubface.errors import FileError, InputError, RangeWarning, RuleWarning
 from clubface.results.result import Result
 from clubface.shots.recorded import RecordedShots
-from clubface.studio.answers import answer, document
-from clubface.studio.events import event_stream
-from clubface.studio.files import REPORT_HEADERS, estimated, report_page, saved
+from clubface.studio.answers import answer, document, event_stream
+from clubface.studio.files import REPORT_HEADERS, Uploads, body_of, estimated, own_files_only, report_page, saved
 from clubface.studio.jobs import StudioJob, StudioJobs
-from clubface.studio.uploads import Uploads, body_of, own_files_only
 from clubface.support.checks import check_choice, check_count, without_warnings
 from clubface.support.files import builtin_names
 from clubface.units import parse

@@ -12,8 +12,7 @@ from typing import Any
 
 from clubface.errors import ClubfaceError, InputError, Wording
 from clubface.results.result import Result
-from clubface.studio.answers import describe_mistake
-from clubface.studio.events import Signal, event
+from clubface.studio.answers import Signal, describe_mistake, event
 
 __all__ = ["Cancelled", "StudioJob", "StudioJobs"]
 

@@ -10,16 +10,14 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 from clubface.errors import InputError
-from clubface.present.files import csv_text
+from clubface.present.report import csv_text
 from clubface.results.result import Result
 from clubface.results.table import table, text
 from clubface.shots.live import LiveShots, live_result
 from clubface.shots.live_links import LiveLinks
-from clubface.studio.answers import answer, document
-from clubface.studio.events import Signal, event, event_stream
-from clubface.studio.files import saved
+from clubface.studio.answers import Signal, answer, document, event, event_stream
+from clubface.studio.files import body_of, saved
 from clubface.studio.fittings import asked_of
-from clubface.studio.uploads import body_of
 
 __all__ = ["LiveSession", "live_routes"]
 

@@ -1,28 +1,179 @@
-"""The server: on 127.0.0.1 only, until Ctrl-C."""
+"""The server, on 127.0.0.1 alone: whom it answers, the built site, and under ``api/`` what the package computes."""
 
 from __future__ import annotations
 
+import os
+import secrets
 import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import uvicorn
+from starlette.applications import Starlette
+from starlette.datastructures import Headers
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Response
+from starlette.routing import Mount, Route, Router
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from clubface.design.golfer import golfers
+from clubface.design.optimisation.landings import JUDGED
+from clubface.equipment.clubs import CLUB_NAMES
+from clubface.errors import ClubfaceError, FileError
+from clubface.quantities import read_in
 from clubface.shots.live import LiveShots
-from clubface.studio.app import make_application
-from clubface.studio.guard import Guard, new_token
-from clubface.studio.live import LiveSession
-from clubface.studio.site import site_folder
+from clubface.shots.monitors import FORMATS
+from clubface.studio.answers import document, mistake, refusal
+from clubface.studio.files import LARGEST, TooLargeError, Uploads, file_routes
+from clubface.studio.fittings import BALLS, fitting_routes
+from clubface.studio.jobs import StudioJobs
+from clubface.studio.live import LiveSession, live_routes
+from clubface.studio.studies import study_routes
+from clubface.support.files import DATA
 from clubface.support.sockets import LOOPBACK, listen_on
+from clubface.support.version import __version__
 
-__all__ = ["PORT", "serve"]
+__all__ = ["PORT", "SITE_VARIABLE", "Guard", "make_application", "new_token", "serve", "site_folder", "site_routes"]
 
+HOSTS = ("127.0.0.1", "localhost")
+"""Names under which a browser reaches this machine; requests under other names are refused."""
+HEADERS = {
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-opener-policy": "same-origin",
+    "cross-origin-resource-policy": "same-origin",
+}
+"""Headers of every answer; the address, which contains the token, is sent to no other site."""
+CONTENT = (
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; media-src 'self' blob:; worker-src 'self' blob:; connect-src 'self' blob:; "
+    "frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'self'"
+)
+"""Content security policy of the studio's pages."""
+SITE_VARIABLE = "CLUBFACE_STUDIO_SITE"
+"""Environment variable for another folder with a built site."""
+INDEX = "index.html"
+KINDS = {".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml"}
+"""Media types by file extension; some systems have others for these."""
+MARK = '<meta name="clubface-api" content="api/">'
+"""The line by which a page knows that this server offers more than the static site."""
+NOT_SERVED = ("sw.js",)
+"""Files for offline use of the static site; from this server, they would leave pages without answers once it stops."""
 PORT = 8642
 WAITING = 64
 """Number of connections waiting to be accepted; a browser opens several at once."""
 SHUTDOWN_TIMEOUT = 2
 """Time that open connections, such as live shots, have to finish at the end [s]."""
+EXPECTED = (ClubfaceError, ModuleNotFoundError, MemoryError)
+"""Errors that tell the user what to do; all others are printed as well."""
+
+
+def new_token() -> str:
+    """Return an unguessable token."""
+    return secrets.token_urlsafe(24)
+
+
+class Guard:
+    """Passes permitted requests on to an application under ``/TOKEN/``.
+
+    Parameters
+    ----------
+    application
+        Is asked with the token as the root of its paths.
+    token
+        The token.
+    close
+        Ends what goes on, such as streams of events, when the server ends.
+    """
+
+    def __init__(self, application: ASGIApp, token: str, close: Callable[[], object] = lambda: None) -> None:
+        self._application, self._token, self.close = application, token, close
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer or refuse a request."""
+        if scope["type"] != "http":
+            return
+        headers = Headers(scope=scope)
+        root, _, rest = scope["path"].removeprefix("/").partition("/")
+
+        async def send_guarded(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                own = {name for name, _ in message["headers"]}
+                every = HEADERS | {"content-security-policy": CONTENT, "cache-control": "no-store"}
+                message["headers"] = [
+                    *message["headers"],
+                    *((name.encode(), value.encode()) for name, value in every.items() if name.encode() not in own),
+                ]
+            await send(message)
+
+        response = self._refusal(headers, root)
+        if response is None and not scope["path"].startswith(f"/{root}/"):
+            response = Response(status_code=307, headers={"location": f"/{root}/"})
+        if response is not None:
+            await response(scope, receive, send_guarded)
+            return
+        inner = {**scope, "path": f"/{rest}", "root_path": "", "raw_path": b""}
+        await self._application(inner, receive, send_guarded)
+
+    def _refusal(self, headers: Headers, root: str) -> JSONResponse | None:
+        host = headers.get("host", "")
+        name, _, port = host.partition(":")
+        if name not in HOSTS or (port and not port.isdecimal()) or len(headers.getlist("host")) != 1:
+            return refusal(421, "Host", "this studio answers to 127.0.0.1 and localhost alone")
+        origin = headers.get("origin")
+        if origin is not None and origin != f"http://{host}":
+            return refusal(403, "Origin", "this studio answers its own pages alone")
+        if headers.get("sec-fetch-site", "none") not in ("same-origin", "none"):
+            return refusal(403, "Sec-Fetch-Site", "this studio answers its own pages alone")
+        if not secrets.compare_digest(root.encode("utf-8", "replace"), self._token.encode()):
+            return refusal(403, "address", "open the whole address that clubface studio printed")
+        return None
+
+
+def site_folder(given: str | os.PathLike[str] | None = None) -> Path:
+    """Return the folder of the built site: the given one, or the one in the package or in the checkout.
+
+    Raises
+    ------
+    FileError
+        There is none; the message says what makes one.
+    """
+    named = given if given is not None else os.environ.get(SITE_VARIABLE) or None
+    if named is not None:
+        if not (Path(named) / INDEX).is_file():
+            raise FileError(str(named), None, f"this folder holds no built studio: there is no {INDEX} in it")
+        return Path(named)
+    package = DATA.parent
+    checkout = package.parent.parent / "studio"
+    for each in (package / "studio_site", checkout / "dist"):
+        if (each / INDEX).is_file():
+            return each
+    if (checkout / "package.json").is_file():
+        raise FileError(str(checkout / "dist"), None, "the studio is not built yet: make studio-build builds it")
+    message = (
+        "this installation has no built studio: build it in a checkout by make studio-build, and name its folder "
+        f"studio/dist with --site or {SITE_VARIABLE}"
+    )
+    raise FileError(str(package / "studio_site"), None, message)
+
+
+def site_routes(folder: Path) -> list[Route]:
+    """Return the route of every file of the site."""
+    root = folder.resolve()
+
+    async def show(request: Request) -> Response:
+        path = request.path_params["path"] or INDEX
+        if path == INDEX:
+            page = (root / INDEX).read_text(encoding="utf-8")
+            return HTMLResponse(page.replace("<head>", f"<head>{MARK}", 1))
+        file = (root / path).resolve()
+        if path in NOT_SERVED or not file.is_relative_to(root) or not file.is_file():
+            return Response("there is no such file", 404, media_type="text/plain")
+        return FileResponse(file, media_type=KINDS.get(file.suffix))
+
+    return [Route("/{path:path}", show)]
 
 
 def serve(
@@ -86,3 +237,70 @@ class _Server(uvicorn.Server):
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         self._application.close()
         await super().shutdown(sockets)
+
+
+def make_application(site: Path, token: str, *, studies: Path | None = None, live: LiveSession | None = None) -> Guard:
+    """Return the web application.
+
+    Parameters
+    ----------
+    site
+        The folder of the built site.
+    token
+        What the address must hold.
+    studies
+        The folder of the stores of studies, None for no studies.
+    live
+        Live shots, None for none.
+    """
+    uploads, jobs = Uploads(), StudioJobs()
+
+    async def offers(request: Request) -> Response:
+        """Return the requests that the API offers."""
+        return document({
+            "clubface": __version__, "studies": studies is not None, "live": live is not None,
+            "largest_file": LARGEST, "formats": [*FORMATS], "clubs": [*CLUB_NAMES], "balls": [*BALLS],
+            "golfers": [*golfers()], "objectives": [*JUDGED],
+        })  # fmt: skip
+
+    async def unknown_address(request: Request) -> Response:
+        return refusal(404, request.url.path, "there is nothing under this address")
+
+    async def failed(request: Request, error: Exception) -> Response:
+        return mistake(error)
+
+    async def too_large(request: Request, error: Exception) -> Response:
+        return mistake(error, 413)
+
+    async def http_error(request: Request, error: Exception) -> Response:
+        status = error.status_code if isinstance(error, HTTPException) else 404
+        return refusal(status, request.url.path, "nothing is answered under this address in this way")
+
+    api = [
+        Route("/", offers), *file_routes(uploads), *fitting_routes(uploads, jobs), *study_routes(studies),
+        *live_routes(live), Route("/{path:path}", unknown_address),
+    ]  # fmt: skip
+    handlers = {
+        HTTPException: http_error,
+        TooLargeError: too_large,
+        **dict.fromkeys(EXPECTED, failed),
+        Exception: failed,
+    }
+    routes = [Mount("/api", app=_in_units(Router(routes=api))), *site_routes(site)]
+
+    def close() -> None:
+        jobs.close()
+        if live is not None:
+            live.signal.close()
+
+    return Guard(Starlette(routes=routes, exception_handlers=handlers), token, close)
+
+
+def _in_units(application: ASGIApp) -> ASGIApp:
+    """Return an application that answers in the units given by ``units`` of a request, by default "golf"."""
+
+    async def answer_in_units(scope: Scope, receive: Receive, send: Send) -> None:
+        with read_in(Request(scope).query_params.get("units", "golf")):
+            await application(scope, receive, send)
+
+    return answer_in_units

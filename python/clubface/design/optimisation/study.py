@@ -49,8 +49,7 @@ from clubface.design.optimisation.landings import (
     Setting,
     own_value,
 )
-from clubface.design.optimisation.limits import Buildable, Limit, RangeLimit
-from clubface.design.optimisation.solve import Problem
+from clubface.design.optimisation.solve import Buildable, Limit, Problem, RangeLimit
 from clubface.design.optimisation.variables import Variables, check_bounds
 from clubface.design.rules import check_rules
 from clubface.design.strokes import Hole

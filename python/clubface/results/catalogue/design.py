@@ -1,4 +1,4 @@
-"""Sentences about comparisons, face maps, golfers, dispersions, best lofts and optimisations."""
+"""Sentences about comparisons, face maps, golfers, dispersions, best lofts, optimisations and studies."""
 
 SENTENCES = {
     "advice-as-good": "Equally good for {label}, since the difference is not worth a change: {others:;}.",
@@ -15,10 +15,10 @@ SENTENCES = {
     "advice-errors": (
         "± is the standard error of a difference on the same shots; it does not include errors of the model."
     ),
-    "advice-hole-assumed": "Strokes are counted on an assumed hole: {hole}. A table [hole] gives another.",
     "advice-holds": (
         "This holds for every objective, {labels:and}: {best} is better than the {present} or does not differ from it."
     ),
+    "advice-hole-assumed": "Strokes are counted on an assumed hole: {hole}. A table [hole] gives another.",
     "advice-keep": (
         "Keep the {present}. For {golfer}, no alternative improves {label} by {worth}, the smallest difference worth a "
         "change; the largest gain is {most}."
@@ -26,6 +26,10 @@ SENTENCES = {
     "advice-keep-all": (
         "Keep the {present}. For {golfer}, none of {alternatives:n alternative} makes a difference worth a change in "
         "{labels:or}."
+    ),
+    "advice-mishits": (
+        "The shots are the golfers' normal ones: topped and other failed shots, which a player's report calls mishits, "
+        "are left out, so the means are better than in a session."
     ),
     "advice-not-certain": (
         "Keep the {present} for now. For {golfer}, {best} may improve {label} by {gain} ± {error}, which is not "
@@ -44,10 +48,10 @@ SENTENCES = {
         "The best loft here gives the longest carry for a single delivery; --golfer or --loft compare carry, total "
         "distance and strokes with the present loft."
     ),
+    "best-loft-delivered": ("This is the loft of the face when it meets the ball, not the loft stamped on the club."),
     "best-loft-flat": (
         "The best dynamic loft for {label} is {best_loft}; anything from {low_loft} to {high_loft} is within {worth}."
     ),
-    "best-loft-delivered": ("This is the loft of the face when it meets the ball, not the loft stamped on the club."),
     "best-loft-inclined": (
         "With a club that moves {attack:sides} at {speed:0}, the ball carries farthest with {loft} of loft at impact: "
         "{carry:0}. Up to {less_loft} less or {more_loft} more cost less than {worth_carry:0}."
@@ -95,6 +99,14 @@ SENTENCES = {
     ),
     "dispersion-stroke-averages": "strokes: averages of the PGA Tour by distance and lie (Broadie, 2011 and 2012)",
     "dispersion-strokes": "On the given hole, the shot leaves {strokes:.2f} strokes to play, by tour averages.",
+    "fitting-at-an-end": ("The best is at an end of the range of {names:and}; a wider range may give a better result."),
+    "fitting-not-shown": "{hidden} more are not shown; --output and --json have all.",
+    "fitting-parts-idle": "The {parts:and} make no difference worth a change, for any objective.",
+    "fitting-parts-matter": "What matters, all else being equal: {effects}.",
+    "fitting-shots": (
+        "{combinations:n combination}, all judged on the same {shots} shots of {golfers:n golfer}, delivered as with "
+        "{club}, with the difference in loft added."
+    ),
     "golfer-all-assumed": (
         "The shot-to-shot spread has no source and counts as assumed for every part of the delivery: treat it as "
         "typical, not as measured."
@@ -147,8 +159,8 @@ SENTENCES = {
         "much of the correlation in {shots:n shot} is chance, so it is reduced by {shrinkage:.0%} (Ledoit and Wolf, "
         "2004)"
     ),
-    "golfer-sourced": "The swing-to-swing spread was measured or published for {names:labels}.",
     "golfer-source": "{figures}: {source}",
+    "golfer-sourced": "The swing-to-swing spread was measured or published for {names:labels}.",
     "golfer-speed": "The club comes into the ball at {speed:0} on average.",
     "golfer-speed-spread": "Two swings in three are within {spread_speed} of that.",
     "golfer-spread": "± is the standard deviation from shot to shot, mishits left out",
@@ -168,21 +180,9 @@ SENTENCES = {
         "centre}, with a ball speed of {ball_speed}; the longest carry, {carry}, comes from "
         "{carry_toe:towards the toe/towards the heel} and {carry_high:above the centre/below the centre}."
     ),
-    "advice-mishits": (
-        "The shots are the golfers' normal ones: topped and other failed shots, which a player's report calls mishits, "
-        "are left out, so the means are better than in a session."
-    ),
-    "fitting-at-an-end": ("The best is at an end of the range of {names:and}; a wider range may give a better result."),
-    "fitting-not-shown": "{hidden} more are not shown; --output and --json have all.",
-    "fitting-parts-idle": "The {parts:and} make no difference worth a change, for any objective.",
-    "fitting-parts-matter": "What matters, all else being equal: {effects}.",
-    "fitting-shots": (
-        "{combinations:n combination}, all judged on the same {shots} shots of {golfers:n golfer}, delivered as with "
-        "{club}, with the difference in loft added."
-    ),
     "optimum-angles": "The club has {angles:and}.",
-    "optimum-change": "The {meaning} is {after} instead of {before}.",
     "optimum-cg-moved": "Compared with the club at the start, its CG lies {moved:and}.",
+    "optimum-change": "The {meaning} is {after} instead of {before}.",
     "optimum-ellipsoid": (
         "Mass is placed inside the mesh of {club}: in the largest ellipsoid there, {size} mm from face to back, sole "
         "to crown and heel to toe, about ({centre}) mm from the face centre."
@@ -230,4 +230,13 @@ SENTENCES = {
         "The stress is the von Mises stress on either side of the face, for an elastic metal, on the mesh of the head: "
         "a finer mesh gives more. It shows yield under a single impact, but not fatigue."
     ),
+    "study-chunks-not-listed": "{left:n chunk} missing or damaged; {chunks} of them not listed",
+    "study-complete": "the study is complete in {store}",
+    "study-left": "{chunks:n chunk} of the whole study left for other runs; parts in {store}",
+    "study-parts-mended": "{parts:n damaged part} recomputed: {shown}",
+    "study-processors": "computed on {processors}, which agree to rounding, not in the last digits",
+    "study-range": "{quantity} ranges from {least_text} to {most_text}.",
+    "study-store": "parts in {store}",
+    "study-tasks": "The study has {tasks:n task}, which differ in {inputs:and}.",
+    "tasks-without-result": "{tasks:n task} without a result; the first is {first}",
 }

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from clubface.equipment.described import HANDS
 from clubface.errors import shortened
 from clubface.results.notes import Note, note
-from clubface.shots.tables.headings import HAND, FileColumn, narrow, plain, unit_symbol
-from clubface.shots.tables.vocabulary import SIDES, Side
+from clubface.shots.tables.headings import HAND, SIDES, FileColumn, Side, narrow, plain, unit_symbol
 from clubface.units import from_si, to_si, unit
 
 if TYPE_CHECKING:

@@ -1,32 +1,76 @@
-"""The quantity and unit of each column of a table of shots, by the words of its heading and the unit behind them."""
+"""The quantity and unit of each column of a table of shots, by the words of its heading and the unit behind them.
+
+The words, in the languages of golfers, are those of ``data/vocabulary.toml``.
+"""
 
 from __future__ import annotations
 
 import re
+import tomllib
 import unicodedata
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from clubface import units
 from clubface.errors import FileError, UnitError, shortened
 from clubface.quantities import file_unit, quantity as quantity_named
 from clubface.results.notes import Note, note
-from clubface.shots.tables.vocabulary import SIDES, WORLD, Side, by_word, vocabulary
 from clubface.simulation.results import flight_outputs, input_dimensions, outputs
 from clubface.support.checks import check_choice
+from clubface.support.files import DATA
 from clubface.units import unit
 
-_UNITS = by_word(vocabulary()["units"])
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
 """The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
 _GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
 """What stands between a heading and its unit."""
+_BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
+
+
+@cache
+def vocabulary() -> dict[str, Any]:
+    """Return the words by subject: units, headings, sides, columns, clubs, summaries, months."""
+    return tomllib.loads((DATA / "vocabulary.toml").read_text(encoding="utf-8"))
+
+
+def by_word(lists: dict[str, list[str]]) -> dict[str, str]:
+    """Return the meaning of each word, from the words of each meaning."""
+    return {word: meaning for meaning, words in lists.items() for word in words}
+
+
+WORLD, CLUB = "world", "club"
+"""The frame of left and right: that of the course, or that of the club, which a left-hander mirrors."""
+
+
+class Side(NamedTuple):
+    """The meaning of a word such as "left" or "open": its sign for a right-hander, in world or club terms."""
+
+    sign: float
+    frame: str
+
+
+FACE_TO_PATH = "face_to_path"
+"""Face angle less path: not a quantity of a shot, but with the path it gives the face angle."""
+_SIGNS = {"<": Side(-1.0, WORLD), ">": Side(1.0, WORLD), "-": Side(-1.0, CLUB), "+": Side(1.0, CLUB)}
+
+
+def _sides(groups: list[str]) -> dict[str, Side]:
+    lines = (line.split() for each in groups for line in vocabulary()["sides"][each])
+    return {word.replace("_", " "): _SIGNS[sign] for sign, *words in lines for word in words}
+
+
+SIDES: Mapping[str, Mapping[str, Side]] = {name: _sides(groups) for name, groups in vocabulary()["sides"]["of"].items()}
+"""The words for the sides of each quantity, the usual ones first."""
+MIRRORED = tuple(name for name, words in SIDES.items() if "left" in words)
+"""Quantities across the target line: in terms of the club, a left-hander's change their sign."""
+
+
+_UNITS = by_word(vocabulary()["units"])
 _SIDES = "|".join(sorted({re.sub(" ", "[ -]", each) for words in SIDES.values() for each in words}, key=len)[::-1])
 _TWO_SIDES = re.compile(rf"(?:^|\s)({_SIDES})([-+])\s*/\s*({_SIDES})([-+])$", re.IGNORECASE)
-_BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
 def plain(text: str) -> str:
