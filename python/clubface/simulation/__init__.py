@@ -1,6 +1,6 @@
 """One impact and one flight: deliveries in, launches, histories, derivatives and trajectories out.
 
-The functions stand in :mod:`clubface`; here are the parts of what they return, and what draws it.
+The functions themselves are in :mod:`clubface`; this package holds the classes that they return, and the plots.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Impacts, flights and poses as functions of an array library: all but what JAX and PyTorch do in their own ways."""
+"""Impacts, flights and poses for array libraries: the part that JAX and PyTorch have in common."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ Array = TypeVar("Array")
 
 
 class ArrayFunctions(ABC, Generic[Array]):
-    """The functions of a module such as :mod:`clubface.jax`; a subclass has what its library does in its own way.
+    """The functions of a module such as :mod:`clubface.jax`; a subclass adds what is specific to its library.
 
     Attributes
     ----------
     xp
-        The library: its ``sin``, ``stack`` and other functions that all array libraries have.
+        Namespace of the library: ``sin``, ``stack`` and the other functions that all array libraries have.
     """
 
     xp: Any
@@ -62,17 +62,17 @@ class ArrayFunctions(ABC, Generic[Array]):
         on_error: Literal["raise", "nan"] = "raise",
         **values: Any,
     ) -> dict[str, Array]:
-        """Compute the launch of a ball hit by a club, as :func:`clubface.impact`.
+        """Compute the launch of a ball hit by a club, as :func:`clubface.impact` does.
 
         Parameters
         ----------
         club, delivery, model, parameters, ball, accuracy, hand, threads, **values
-            As for :func:`clubface.impact`; any of the values and of the parameters may be an array of the library
-            [SI], by which the launch is then differentiable. They broadcast.
+            As for :func:`clubface.impact`. Values and parameters may be arrays of the library [SI], which broadcast;
+            the launch is differentiable with respect to them.
         outputs
-            Names of launch quantities; left out, all that the model gives.
+            Names of launch quantities. Default: all that the model computes.
         on_error
-            What happens to a shot that cannot be computed: "raise" raises an error, "nan" gives NaN.
+            "raise" raises an error for a shot that cannot be computed, "nan" returns NaN for it.
 
         Returns
         -------
@@ -82,10 +82,10 @@ class ArrayFunctions(ABC, Generic[Array]):
         Raises
         ------
         ShotError
-            A shot cannot be computed, unless ``on_error`` is "nan"; in a function that JAX has compiled, it is an
-            error of JAX that quotes the reason.
+            A shot cannot be computed and ``on_error`` is "raise". A function compiled by JAX raises an error of JAX
+            that quotes the reason.
         InputError
-            A name or a value is not allowed, or second derivatives are asked for that do not exist.
+            A name or value is not allowed, or the second derivatives requested do not exist.
         """
         function, arrays = self._launch_function(
             club, delivery, values, parameters, model=model, ball=ball, accuracy=accuracy, hand=hand, outputs=outputs,
@@ -105,22 +105,22 @@ class ArrayFunctions(ABC, Generic[Array]):
         threads: int | None = None,
         on_error: Literal["raise", "nan"] = "raise",
     ) -> dict[str, Array]:
-        """Compute where a launched ball goes, as :func:`clubface.fly`.
+        """Compute the flight of a launched ball, as :func:`clubface.fly` does.
 
         Parameters
         ----------
         launch
-            What ``impact`` of the same module returned with all outputs, or values as for :func:`clubface.fly`:
+            The result of ``impact`` of the same module with all outputs, or values as for :func:`clubface.fly`:
             velocity and spin as vectors, or ``ball_speed``, ``launch``, ``azimuth`` with backspin and sidespin or total
             spin and spin axis.
         air, wind, ground, threads
-            As for :func:`clubface.fly`; ``temperature``, ``pressure``, ``humidity``, the wind and the values of the
+            As for :func:`clubface.fly`. ``temperature``, ``pressure``, ``humidity``, the wind and the values of the
             ground may be arrays of the library [SI].
         ball
-            As for :func:`clubface.ball`: give it if the impact was with another ball than the default one.
+            As for :func:`clubface.ball`. Required if the ball of the impact was not the default one.
         outputs
-            Names of quantities of a flight; left out, all. Second derivatives need that ``total``, ``total_side`` and
-            ``outside_fit`` are left out: bounces make steps in them.
+            Names of flight quantities. Default: all. For second derivatives leave out ``total``, ``total_side`` and
+            ``outside_fit``, which jump with the number of bounces.
         on_error
             As for ``impact``.
 
@@ -132,7 +132,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         Raises
         ------
         ShotError, InputError
-            As by ``impact``.
+            As for ``impact``.
         """
         function, arrays = self._flight_function(
             launch, air, wind, ground, ball, outputs=outputs, threads=threads, on_error=on_error
@@ -152,11 +152,11 @@ class ArrayFunctions(ABC, Generic[Array]):
         point: Any = "cg",
         hand: HandLike | None = None,
     ) -> dict[str, Array]:
-        """Return the values of a delivery by the pose and motion of the head, as :meth:`clubface.Delivery.from_pose`.
+        """Compute a delivery from the pose and motion of the head, as :meth:`clubface.Delivery.from_pose` does.
 
-        The parameters are those of that method, with the same shapes and units; all but ``club``, ``ball`` and ``hand``
-        may be arrays of the library. The ball does not spin. Poses are not checked: a head that does not touch the ball
-        within a millisecond or so gives values without meaning.
+        Parameters, shapes and units are those of that method; all but ``club``, ``ball`` and ``hand`` may be arrays of
+        the library. The ball does not spin. Poses are not checked: the values are meaningless unless the head touches
+        the ball within about a millisecond.
 
         Returns
         -------
@@ -181,9 +181,9 @@ class ArrayFunctions(ABC, Generic[Array]):
         point: Any = "cg",
         hand: HandLike | None = None,
     ) -> Pose:
-        """Return where the head of a delivery is at first touch and how it moves, as :meth:`clubface.Delivery.pose`.
+        """Compute the pose and motion of the head at first touch, as :meth:`clubface.Delivery.pose` does.
 
-        The parameters are those of that method; all but ``club``, ``ball`` and ``hand`` may be arrays of the library.
+        Parameters are those of that method; all but ``club``, ``ball`` and ``hand`` may be arrays of the library.
         """
         head, offset = self._geometry(club, ball, point, hand)
         given = as_values(delivery, {})
@@ -200,26 +200,26 @@ class ArrayFunctions(ABC, Generic[Array]):
 
     @abstractmethod
     def _as_array(self, value: Any) -> Array:
-        """Return a value as an array of the library; numbers are in double precision where the library allows it."""
+        """Convert a value to an array of the library, numbers in double precision where the library allows it."""
 
     @abstractmethod
     def _cast(self, array: Array, dtype: Any) -> Array:
-        """Return an array in another precision."""
+        """Convert an array to another precision."""
 
     @abstractmethod
     def _precision(self, arrays: Sequence[Array]) -> Any:
-        """Return the dtype to which the floating ones of these arrays promote; without any, the default one."""
+        """Return the dtype to which the floating-point arrays promote; the default dtype if there are none."""
 
     @abstractmethod
     def _evaluate(self, function: Differentiable, x: Array) -> Sequence[Array]:
-        """Return each output of a function of the last axis of ``x``, with its derivatives for the library."""
+        """Evaluate a function of the last axis of ``x``; return each output, differentiable by the library."""
 
     def _repeated(self, step: Callable[[Any], Any], count: int) -> Any:
-        """Return what ``count`` steps make of 0; a library that compiles loops does it in its own way."""
+        """Apply a step ``count`` times, starting from 0; overridden for a library that compiles loops."""
         return repeated(step, count)
 
     def _common_dtype(self, values: Iterable[Any]) -> Any:
-        """Return the precision of results that are computed from some values."""
+        """Return the dtype of results computed from these values."""
         return self._precision([each for each in values if self._is_array(each)])
 
     def _call(self, function: Differentiable, arrays: Sequence[Any]) -> dict[str, Array]:
@@ -246,7 +246,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         parameters: Any,
         **options: Any,
     ) -> tuple[LaunchFunction, list[Any]]:
-        """Return the function of those inputs and parameters that are arrays of the library, and these arrays."""
+        """Return the launch as a function of the inputs and parameters that are arrays, and those arrays."""
         given = {name: value for name, value in as_values(delivery, values).items() if value is not None}
         if "loft" not in given and self._is_array(given.get("static_loft")):
             given["loft"] = given["static_loft"]
@@ -268,11 +268,11 @@ class ArrayFunctions(ABC, Generic[Array]):
         ball: str | os.PathLike[str] | Ball | None,
         **options: Any,
     ) -> tuple[FlightFunction, list[Any]]:
-        """Return the function of those inputs of a flight that are arrays of the library, and these arrays."""
+        """Return the flight as a function of the inputs that are arrays of the library, and those arrays."""
         if not isinstance(launch, Mapping):
             raise InputError("launch", launch, "a mapping of values, as impact of this module returns it")
         given = {name: value for name, value in launch.items() if value is not None}
-        if "velocity_x" in given:  # of an impact: its vectors say everything
+        if "velocity_x" in given:  # launch of an impact: its vectors are complete
             given = {
                 name: value for name, value in given.items() if name in flight_inputs() or name not in launch_outputs()
             }
@@ -296,7 +296,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         return FlightFunction(columns, arrays, **options), list(arrays.values())
 
     def _vectors(self, terms: Mapping[str, Any]) -> dict[str, Any]:
-        """Return velocity and spin of a launch in the terms of a launch monitor, as :func:`vectors` does by numbers."""
+        """Convert launch monitor values to velocity and spin vectors, as :func:`vectors` does for numbers."""
         xp = self.xp
         check_names("launch value", terms, (*MONITOR, *BALL))
         spins = [name for name in SPINS if name in terms]

@@ -1,8 +1,8 @@
-"""A clubhead on its shaft: a Rayleigh beam of finite elements, its modes, and how the head moves under a short impulse.
+"""A clubhead on its shaft: a Rayleigh beam of finite elements, its modes, and the head's response to a short impulse.
 
-Bending has Hermite cubics with rotary inertia, stretch and twist have linear shapes (O. C. Zienkiewicz, R. L. Taylor,
-The Finite Element Method). Properties are linear between stations. The head is rigid and rigidly on the tip, so that
-its six velocities, those of its CG first, take the place of those of the first node. Over half a millisecond all is
+Bending uses Hermite cubics with rotary inertia, stretch and twist linear shape functions (O. C. Zienkiewicz, R. L.
+Taylor, The Finite Element Method). Properties are linear between stations. The head is rigid and rigidly joined to the
+tip: its six velocities, those of the CG first, replace those of the first node. Over half a millisecond the motion is
 linear, and modal superposition is exact.
 """
 
@@ -21,34 +21,34 @@ if TYPE_CHECKING:
 __all__ = ["Beam", "Modes", "added_inertia", "beam_axes", "cross_matrix", "head_on_beam", "modes", "natural_modes"]
 
 ELEMENTS = 60
-"""Twice as many change what the shaft adds to a head by less than 1e-4 of it."""
+"""Number of elements of a shaft; doubling it changes the inertia added to the head by less than 1e-4, relative."""
 GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(4)
 GRIPS = ("free", "pinned", "clamped")
 MATCHINGS = ("motion", "work")
 ROUNDING = 1e-9
-"""Part of the mass of the head by which rounding may make what is added negative, and up to which it is set to 0."""
+"""Added inertia that is negative by less than this share of the head's mass is rounding, and set to 0."""
 
 
 @dataclass(frozen=True, eq=False)
 class Beam:
-    """A straight beam from its tip, where the head is, to its butt; properties are linear between stations.
+    """A straight beam from the tip, where the head is, to the butt; properties are linear between stations.
 
     Attributes
     ----------
     position
-        Of the stations from the tip [m], from 0 to the length, shape (n,).
+        Distances of the stations from the tip [m], from 0 to the length, shape (n,).
     mass
-        Per length [kg/m], shape (n,).
+        Mass per length [kg/m], shape (n,).
     bending, torsion, axial
         EI [N m2], GJ [N m2] and EA [N], shape (n,).
     gyration
-        Radius of gyration of the section about a diameter [m], shape (n,).
+        Radius of gyration of the cross-section about a diameter [m], shape (n,).
     grip
-        How the butt is held, one of ``GRIPS``.
+        Boundary condition at the butt, one of ``GRIPS``.
     grip_stiffness
-        Of a pinned butt against rotation [N m/rad].
+        Rotational stiffness of a pinned butt [N m/rad].
     grip_mass
-        At the butt [kg].
+        Mass at the butt [kg].
     """
 
     position: NDArray[Any]
@@ -62,7 +62,7 @@ class Beam:
     grip_mass: float = 0.0
 
     def nodes(self, elements: int) -> NDArray[Any]:
-        """Return the places of about ``elements`` + 1 nodes [m], with one at each station."""
+        """Return the positions of about ``elements`` + 1 nodes [m], one of them at each station."""
         length = self.position[-1]
         pieces = [
             np.linspace(start, end, max(1, round(elements * (end - start) / length)), endpoint=False)
@@ -71,10 +71,10 @@ class Beam:
         return np.append(np.concatenate(pieces), length)
 
     def matrices(self, elements: int = ELEMENTS) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Return stiffness and mass, shape (6 n, 6 n), of a beam that nothing holds.
+        """Return the stiffness and mass matrices of the free beam, shape (6 n, 6 n).
 
-        A node has displacements along the beam, then along two directions across it, which make a right-handed
-        system, then the rotations about these.
+        The degrees of freedom of a node are its displacements along the beam and in two directions across it, which
+        form a right-handed system, then the rotations about the same axes.
         """
         nodes = self.nodes(elements)
         stiffness, mass = np.zeros((2, 6 * len(nodes), 6 * len(nodes)))
@@ -130,38 +130,38 @@ class Beam:
 
 
 def cross_matrix(vector: NDArray[Any]) -> NDArray[Any]:
-    """Return the matrix of the cross product with a vector on its left."""
+    """Return the matrix [v]x, for which [v]x u = v x u."""
     x, y, z = vector
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 class Modes(NamedTuple):
-    """Modes of a head on its shaft, each of unit modal mass.
+    """Vibration modes of a head on its shaft, with unit modal mass.
 
     Attributes
     ----------
     frequency
-        Angular frequencies, ascending; those of a motion as a rigid body are 0 but for rounding [rad/s], shape (n,).
+        Angular frequencies in ascending order [rad/s], shape (n,); those of rigid-body motions are 0 up to rounding.
     head
-        Velocity of the CG and angular velocity of the head, in its axes, in each mode, shape (6, n).
+        Velocity of the CG and angular velocity of the head in each mode, in the axes of the head, shape (6, n).
     """
 
     frequency: NDArray[Any]
     head: NDArray[Any]
 
     def mobility(self, time: float, matching: str = MATCHINGS[0]) -> NDArray[Any]:
-        """Return a matrix by which impulses on the head (6), half sines of the given length [s], move it (6).
+        """Return the mobility matrix of the head under a half-sine pulse, shape (6, 6): its velocities per impulse.
 
-        With x = w T / pi and s = cos(w T / 2)^2, a mode of frequency w has in the end s / (1 - x^2) of the velocity by
-        an instantaneous impulse, and has taken s / (1 - x^2)^2 of the work.
+        With x = w T / pi and s = cos(w T / 2)^2, a mode of frequency w ends with s / (1 - x^2) of the velocity that an
+        instantaneous impulse would give it, and has absorbed s / (1 - x^2)^2 of the work.
 
         Parameters
         ----------
         time
-            Length of the pulse [s].
+            Duration of the pulse [s].
         matching
-            "motion" for the velocity of the head at the end of the pulse, "work" for the work that it does. They differ
-            by what stays behind as vibration.
+            "motion" matches the velocity of the head at the end of the pulse, "work" the work done by the pulse. They
+            differ by the energy left as vibration.
         """
         ratio = self.frequency * time / math.pi
         # Both shares are smooth where the ratio is 1: 0 and (pi / 4)^2.
@@ -176,19 +176,19 @@ class Modes(NamedTuple):
         return (self.head * share) @ self.head.T
 
     def velocities(self, time: NDArray[Any], wrench: NDArray[Any]) -> NDArray[Any]:
-        """Return the velocities of the head by forces and moments on it, linear between points in time.
+        """Return the velocities of the head under forces and moments that are linear between points in time.
 
         Parameters
         ----------
         time
-            Ascending [s], shape (n,).
+            Points in time, ascending [s], shape (n,).
         wrench
             Force and moment about the CG, in the axes of the head [N, N m], shape (n, 6).
 
         Returns
         -------
         numpy.ndarray
-            Velocity of the CG and angular velocity [m/s, rad/s], from rest, shape (n, 6).
+            Velocity of the CG and angular velocity [m/s, rad/s], starting from rest, shape (n, 6).
         """
         steps = np.diff(time)
         load = wrench @ self.head
@@ -202,12 +202,12 @@ class Modes(NamedTuple):
     def advance(
         self, displacement: NDArray[Any], velocity: NDArray[Any], start: NDArray[Any], end: NDArray[Any], step: float
     ) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Return modal displacements and velocities after a step [s] in which modal forces change linearly; exact."""
+        """Return modal displacements and velocities after a step [s] with linearly changing modal forces; exact."""
         phase = self.frequency * step
         slow = phase < 1e-3
         w = np.where(slow, 1.0, self.frequency)
         cosine, sine = np.cos(phase), np.sin(phase)
-        # Integrals of sin(w t)/w and of its integrals; slow modes by their series.
+        # Repeated integrals of sin(w t)/w; series for slow modes.
         s = np.where(slow, step * (1.0 - phase**2 / 6.0), sine / w)
         first = np.where(slow, step**2 * (0.5 - phase**2 / 24.0), (1.0 - cosine) / w**2)
         second = np.where(slow, step**3 * (1.0 / 6.0 - phase**2 / 120.0), (phase - sine) / w**3)
@@ -219,10 +219,10 @@ class Modes(NamedTuple):
 
 
 def modes(beam: Beam, head: NDArray[Any], tip: NDArray[Any], axis: NDArray[Any], *, elements: int = ELEMENTS) -> Modes:
-    """Return the modes of a head on a beam of about so many ``elements``.
+    """Return the modes of a head on a beam of about ``elements`` elements.
 
-    In the axes of the head ``head`` is its free spatial inertia about its CG, shape (6, 6), ``tip`` the vector from the
-    CG to the tip of the beam [m], and ``axis`` the direction of the beam from tip to butt.
+    In the axes of the head, ``head`` is the spatial inertia of the free head about its CG, shape (6, 6), ``tip`` the
+    vector from the CG to the tip of the beam [m], and ``axis`` the direction of the beam from tip to butt.
     """
     squares, vectors = natural_modes(*head_on_beam(beam, head, tip, axis, elements=elements))
     return Modes(np.sqrt(np.maximum(squares, 0.0)), vectors[:6])
@@ -231,10 +231,10 @@ def modes(beam: Beam, head: NDArray[Any], tip: NDArray[Any], axis: NDArray[Any],
 def head_on_beam(
     beam: Beam, head: NDArray[Any], tip: NDArray[Any], axis: NDArray[Any], *, elements: int = ELEMENTS
 ) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return stiffness and mass of a head on a beam, without what the grip holds; the parameters are those of modes.
+    """Return the stiffness and mass matrices of a head on a beam with a free butt; parameters as for :func:`modes`.
 
-    First come velocity of the CG and angular velocity of the head, in its axes, then the nodes from the second one on,
-    in the axes of ``beam_axes``.
+    The first six degrees of freedom are the velocity of the CG and the angular velocity of the head, in its axes; then
+    come the nodes from the second on, in the axes of ``beam_axes``.
     """
     stiffness, mass = beam.matrices(elements)
     turn = beam_axes(axis)
@@ -255,7 +255,7 @@ def head_on_beam(
 
 
 def beam_axes(axis: NDArray[Any]) -> NDArray[Any]:
-    """Return the directions of a beam's displacements, along and twice across it, as the rows of a rotation."""
+    """Return the axes of a beam, one along it and two across it, as the rows of a rotation matrix."""
     along = axis / np.linalg.norm(axis)
     across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
     across /= np.linalg.norm(across)
@@ -263,7 +263,7 @@ def beam_axes(axis: NDArray[Any]) -> NDArray[Any]:
 
 
 def natural_modes(stiffness: NDArray[Any], mass: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return squares of the angular frequencies, ascending, and modes of unit modal mass as columns."""
+    """Return the squared angular frequencies, ascending, and the mode shapes of unit modal mass as columns."""
     inverse = np.linalg.inv(np.linalg.cholesky(mass))
     symmetric = inverse @ stiffness @ inverse.T
     squares, vectors = np.linalg.eigh(0.5 * (symmetric + symmetric.T))
@@ -271,14 +271,14 @@ def natural_modes(stiffness: NDArray[Any], mass: NDArray[Any]) -> tuple[NDArray[
 
 
 def added_inertia(total: NDArray[Any], head: NDArray[Any]) -> NDArray[Any]:
-    """Return what a mechanism adds to a head: total less own spatial inertia, with rounding below 0 set to 0.
+    """Return the spatial inertia that a mechanism adds to a head: total minus own, negative rounding set to 0.
 
     Raises
     ------
     ValueError
-        The total is less than the head's own in some motion, beyond rounding.
+        In some motion the total is less than the head's own inertia, by more than rounding.
     """
-    # A length that makes all elements masses.
+    # Scaled by a length, all elements are masses.
     length = math.sqrt(np.trace(head[3:, 3:]) / head[0, 0])
     scale = np.repeat([1.0, 1.0 / length], 3)
     added = (total - head) * np.outer(scale, scale)

@@ -1,4 +1,4 @@
-"""What the compiled core computes of impacts and flights; the one place where this room names it."""
+"""Impacts and flights of the compiled core; the only module of this package that imports it."""
 
 from clubface._core import (
     BallHandle as BallHandle,

@@ -1,9 +1,9 @@
 """Launches and flights as functions of a row of numbers, with first and second derivatives, for array libraries.
 
-JAX and PyTorch differentiate a function of arrays by a rule that its author gives. The functions here take what such a
-rule needs: values alone, values and exact derivatives together from one run of the core on dual numbers, and second
-derivatives, which the core does not have: they are five-point differences of the exact first derivatives, made
-symmetric.
+JAX and PyTorch differentiate a function of arrays by a rule that its author gives. The functions here provide what such
+a rule needs: values alone; values with exact derivatives, from one run of the core on dual numbers; and second
+derivatives, which the core does not have and which are symmetrised five-point differences of the exact first
+derivatives.
 """
 
 from __future__ import annotations
@@ -37,31 +37,31 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 STEP = 2e-3
-"""Distance of the points of a second difference, as a part of the size of a variable: rounding and what the difference
-of fourth order neglects are then of the same order, 1e-11, for models in closed form and 1e-7 for flights."""
+"""Step of the differences for second derivatives, relative to the size of a variable. Rounding and the truncation error
+of the fourth-order difference are then both about 1e-11 for models in closed form, 1e-7 for flights."""
 CONTACT_STEP, CONTACT_ACCURACY = 2e-2, 1e-10
-"""The same for a contact that is integrated, with the accuracy that it needs. The lengths of its steps, which change
-with the inputs, make its first derivatives uneven; second ones are good to 1e-3 then."""
+"""Step of the differences for models that integrate the contact, and the accuracy that they need. Their first
+derivatives are slightly rough, since the time steps change with the inputs; second derivatives are good to 1e-3."""
 SMOOTH = ("volumetric",)
 """Contact models whose first derivatives are smooth enough to be differentiated again."""
 ROUGH = ("total", "total_side", "outside_fit")
-"""Quantities of a flight that are not: the number of bounces changes with the inputs."""
+"""Flight quantities that have no second derivatives: the number of bounces changes with the inputs."""
 SIZES = {"speed": 10.0, "angle": 0.2, "length": 0.02, "angular rate": 50.0, "inertia": 1e-4}
-"""Least size of a variable by its dimension [SI], for variables that may be zero."""
+"""Minimum size of a variable by its dimension [SI], for variables that may be zero."""
 STENCIL = ((-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0))
-"""Places and weights of the difference of fourth order."""
+"""Offsets and weights of the central difference of fourth order."""
 
 
 class Differentiable(ABC):
-    """A function of some variables, each row of the last axis a shot.
+    """A differentiable function of some variables, which are the last axis of its input.
 
-    ``variables`` and ``outputs`` are the names of what it takes and returns, in the order of the last axis; ``places``
-    and ``rows`` are where they are among the columns and the outputs of the core. In ``columns`` any number stands for
-    a variable. The points of the differences that second derivatives are lie ``step`` times the greater of a variable
-    and its least size apart; where there are none, ``once`` says what to do instead.
+    ``variables`` and ``outputs`` name what it takes and returns, in the order of the last axis; ``places`` and ``rows``
+    are their indices among the columns and the outputs of the core. Entries of ``columns`` at variables are
+    placeholders. Differences for second derivatives take steps of ``step`` times the variable or its minimum size,
+    whichever is greater. If there are no second derivatives, ``once`` says what to do instead.
     """
 
-    _names: tuple[str, ...]  # of the columns
+    _names: tuple[str, ...]  # names of the columns
 
     def __init__(
         self,
@@ -83,10 +83,10 @@ class Differentiable(ABC):
         self._threads = threads
         self._on_error = on_error
         self.shape = np.broadcast_shapes(*(np.shape(each) for each in columns))
-        """Shape of the inputs that are no variables."""
+        """Shape to which the inputs other than the variables broadcast."""
 
     def values(self, x: NDArray[Any]) -> NDArray[Any]:
-        """Return the outputs [SI], shape (..., outputs), of variables [SI], shape (..., variables)."""
+        """Return the outputs [SI], shape (..., outputs), for variables [SI], shape (..., variables)."""
         columns, shape = self._laid_out(x)
         computed, problems = self._compute(columns, math.prod(shape))
         self._check(problems, columns, shape, self._on_error)
@@ -104,7 +104,7 @@ class Differentiable(ABC):
     def hessian(self, x: NDArray[Any]) -> NDArray[Any]:
         """Return the second derivatives, shape (..., outputs, variables, variables).
 
-        They are NaN where a shot a difference needs, a few thousandths away, cannot be computed.
+        They are NaN where one of the nearby shots of the difference, a few thousandths away, cannot be computed.
         """
         self.check_twice()
         x = np.asarray(x, dtype=np.float64)
@@ -120,7 +120,7 @@ class Differentiable(ABC):
         return 0.5 * (differences + np.swapaxes(differences, -1, -2))
 
     def _laid_out(self, x: NDArray[Any]) -> tuple[list[Any], tuple[int, ...]]:
-        """Return the columns of the core, flat or single numbers, and the shape of the batch."""
+        """Return the columns for the core, flat arrays or single numbers, and the shape of the batch."""
         x = np.asarray(x, dtype=np.float64)
         shape = np.broadcast_shapes(x.shape[:-1], self.shape)
         columns = [each if isinstance(each, float) else _flat(each, shape) for each in self.columns]
@@ -131,7 +131,7 @@ class Differentiable(ABC):
         return columns, shape
 
     def check_twice(self) -> None:
-        """Refuse second derivatives where first ones are not smooth."""
+        """Raise InputError if the first derivatives are not smooth enough for second ones."""
         if self.once:
             raise InputError("order of derivatives", 2, self.once)
 
@@ -143,15 +143,15 @@ class Differentiable(ABC):
 
     @abstractmethod
     def _compute(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
-        """Return all outputs by shots, and problems."""
+        """Return all outputs, shape (outputs, shots), and the problems."""
 
     @abstractmethod
     def _differentiate(self, columns: Sequence[Any], count: int) -> tuple[NDArray[Any], Any]:
-        """Return for each output wanted its value and derivatives, by shots, and problems."""
+        """Return value and derivatives of each chosen output for all shots, and the problems."""
 
 
 class LaunchFunction(Differentiable):
-    """The launch of a ball by one of the reduced models; the parameters are those of :func:`clubface.impact`."""
+    """The launch by a reduced model as a differentiable function; parameters as for :func:`clubface.impact`."""
 
     def __init__(
         self,
@@ -179,7 +179,7 @@ class LaunchFunction(Differentiable):
         check_names("variable", variables, known)
         setup, chosen = equipped(model, club, ball, parameters)
         self.club, self.ball = setup.club, setup.ball
-        # A variable is in its column only when the function is called; until then any number stands for it.
+        # Variables are placeholders here; they enter their columns when the function is called.
         given = {**values, **{name: 1.0 for name in variables if name in inputs()}}
         fixed = [*shots(setup, given, hand=hand).columns, *chosen.columns()]
         self._width = len(inputs())
@@ -209,7 +209,7 @@ class LaunchFunction(Differentiable):
 
 
 class FlightFunction(Differentiable):
-    """The flight of a ball, its bounces and its roll."""
+    """Flight, bounces and roll of a ball as a differentiable function."""
 
     def __init__(
         self,

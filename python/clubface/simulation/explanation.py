@@ -1,8 +1,8 @@
-"""Why a shot starts where it starts and curves as it curves: what-ifs of its delivery, in words, tables and a picture.
+"""Why a shot starts and curves as it does: variations of its delivery, in words, tables and a picture.
 
-Nothing is split by a rule of thumb. What the strike and the angle between face and path do is what changes where they
-are taken away, computed by the same model and flown through the same air; how much face and path turn the start are the
-exact derivatives of the launch.
+No rule of thumb is used. The effect of the strike or of the face-to-path angle is the change when it is removed,
+computed with the same model and the same air; the shares of face and path in the start direction are exact derivatives
+of the launch.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ from clubface.support.checks import without_warnings
 __all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
 
 OFF_TOE, OFF_HIGH = 15e-3, 8e-3
-"""Distances from the face centre of the strikes that are shown for comparison [m]."""
+"""Offsets from the face centre of the strikes shown for comparison [m]."""
 INSIDE = 0.3
-"""Largest such distance, as a share of the width or the height of the face."""
+"""Upper limit of these offsets, as a share of the width or the height of the face."""
 LEAST_STRIKE = 1e-3
-"""Distance from the face centre above which the strike is explained [m]."""
+"""Distance of the strike from the face centre above which it is explained [m]."""
 LEAST_TURN = math.radians(0.1)
 """Angle between the face at the strike and at its centre above which bulge is named [rad]."""
 LEAST_OFFSET = 3e-3
@@ -51,18 +51,18 @@ WORTH = (
     ("side", "face", math.radians(1.0)), ("side", "path", math.radians(1.0)), ("side", "toe", 10e-3),
     ("carry", "loft", math.radians(1.0)), ("carry", "speed", 0.44704),
 )  # fmt: skip
-"""Slopes that a note gives: quantity of the flight, input, and the change of the input for which it is given [SI]."""
+"""Slopes given in a note: flight quantity, input, and the change of the input to which the number refers [SI]."""
 
 
 class WhatIf(NamedTuple):
-    """The explained shot with one thing changed in its delivery.
+    """The explained shot with one change in its delivery.
 
     Attributes
     ----------
     changes
-        The values that differ [SI], by name.
+        The changed values [SI], by name.
     launch, flight
-        The shot with these values.
+        Launch and flight with these values.
     """
 
     changes: Mapping[str, float]
@@ -72,23 +72,23 @@ class WhatIf(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Explanation(Described):
-    """Why a shot flies as it does.
+    """A shot and the reasons why it flies as it does.
 
     Attributes
     ----------
     launch, flight
-        The shot.
+        Launch and flight of the shot.
     what_ifs
-        The shot with one thing changed, by what it is: "struck in the middle", "face square to the path",
-        "path to the target", "face to the target". One that changes nothing is left out.
+        The shot with one change, by its description: "struck in the middle", "face square to the path", "path to the
+        target", "face to the target". Changes without effect are left out.
     strikes
-        The same delivery struck elsewhere: "heel", "middle", "toe", "low", "high".
+        The same delivery with other impact points: "heel", "middle", "toe", "low", "high".
     slopes
-        Exact derivatives [SI]. Of the start by face, path, loft and attack: ("azimuth", "face"), ("azimuth", "path"),
-        ("launch", "loft") and ("launch", "attack"). Of where it lands, where it flies: ("side", "face"),
-        ("side", "path"), ("side", "toe"), ("carry", "loft") and ("carry", "speed").
+        Exact derivatives [SI]. Of the launch: ("azimuth", "face"), ("azimuth", "path"), ("launch", "loft") and
+        ("launch", "attack"). Of the landing, if the ball flies: ("side", "face"), ("side", "path"), ("side", "toe"),
+        ("carry", "loft") and ("carry", "speed").
     sweet_spot
-        The fastest strike on the face.
+        The strike with the highest ball speed.
     conditions
         Air, wind and ground.
     """
@@ -103,11 +103,11 @@ class Explanation(Described):
 
     @property
     def face_to_path(self) -> float:
-        """How far the face pointed right of the path [rad]."""
+        """Face angle relative to the path [rad], open to the right positive."""
         return float(self.launch.input("face") - self.launch.input("path"))
 
     def to_result(self) -> Result:
-        """Return it as a result: the shot, its what-ifs and the strikes as tables, the reasons as notes, a picture."""
+        """Return the shot, its variations and the strikes as tables, the reasons as notes, and a picture."""
         launch = self.launch
         shot = {"as struck": WhatIf({}, launch, self.flight)}
         given = [
@@ -132,7 +132,7 @@ class Explanation(Described):
         )  # fmt: skip
 
     def reasons(self) -> Iterator[Note]:
-        """Yield why the ball starts where it starts and curves as it curves, as notes."""
+        """Yield notes on why the ball starts and curves as it does."""
         launch, flight = self.launch, self.flight
         given = {name: float(launch.input(name)) for name in ("path", "face", "attack", "loft", "toe", "high")}
         yield shape_note("shot-shape", flight)
@@ -168,7 +168,7 @@ class Explanation(Described):
             yield note("explain-worth", **worth)
 
     def _speed_reasons(self, middle: WhatIf) -> Iterator[Note]:
-        """Yield the notes on the ball speed and carry that the strike gives, and on the sweet spot."""
+        """Yield notes on the effect of the strike on ball speed and carry, and on the sweet spot."""
         if max(abs(float(self.launch.input(name))) for name in ("toe", "high")) < LEAST_STRIKE:
             return
         yield note(
@@ -182,7 +182,7 @@ class Explanation(Described):
             )
 
     def _curve_reasons(self, middle: WhatIf | None) -> Iterator[Note]:
-        """Yield why the ball curves, if it flies."""
+        """Yield notes on why the ball curves, if it flies."""
         launch, flight = self.launch, self.flight
         if not flight.carry > 0.0:
             return
@@ -216,12 +216,12 @@ def explain(
     ground: GroundLike | None = None,
     **values: ValueLike | None,
 ) -> Explanation:
-    """Compute a shot and what it would be with one thing changed, and say why it flies as it does.
+    """Compute a shot and variations of it, and explain why it flies as it does.
 
     Parameters
     ----------
     club, delivery, parameters, ball, accuracy, hand, values
-        As for :func:`clubface.impact`, of a single shot.
+        As for :func:`clubface.impact`, for a single shot.
     model
         A model with derivatives: any but finite elements.
     air, wind, ground
@@ -230,7 +230,7 @@ def explain(
     Returns
     -------
     Explanation
-        The shot, its what-ifs, the same delivery struck elsewhere, and the derivatives that the reasons quote.
+        The shot, its variations, the same delivery struck elsewhere, and the derivatives that the reasons quote.
 
     Raises
     ------
@@ -275,9 +275,9 @@ def explain(
 
 
 def _sweet_spot(club: Any, given: Mapping[str, Any], launch: Launch, options: Mapping[str, Any]) -> dict[str, float]:
-    """Return toe and high [m] of the fastest strike, to half a millimetre: along the face, up it, and along it again.
+    """Return toe and high [m] of the strike with the highest ball speed, to half a millimetre.
 
-    The ball speed falls off from it like a paraboloid, so that few lines find it.
+    Searches along the face, up it, and along it again, which is enough since ball speed is nearly a paraboloid.
     """
     width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
     half = {"toe": 0.5 * width or 2.0 * OFF_TOE, "high": 0.5 * height or 2.0 * OFF_HIGH}
@@ -294,9 +294,9 @@ def _sweet_spot(club: Any, given: Mapping[str, Any], launch: Launch, options: Ma
 
 
 def face_there(launch: Launch) -> float:
-    """Return the direction of the face where the ball is struck, at the height of its centre [rad].
+    """Return the azimuth of the face normal where the ball is struck, at the height of the face centre [rad].
 
-    Bulge turns it away from the face angle; right of the target is positive.
+    It differs from the face angle by bulge; right of the target is positive.
     """
     turn = math.asin(max(-1.0, min(1.0, float(launch.input("toe") / launch.input("bulge")))))
     return float(launch.input("face")) + float(launch.input("hand")) * math.atan2(
@@ -305,7 +305,7 @@ def face_there(launch: Launch) -> float:
 
 
 def _changes(launch: Launch) -> dict[str, dict[str, float]]:
-    """Return what is changed of the delivery in each what-if that changes anything."""
+    """Return the changed values of each variation of the delivery that has an effect."""
     path = float(launch.input("path"))
     changes = {
         "struck in the middle": {"toe": 0.0, "high": 0.0},
@@ -317,7 +317,7 @@ def _changes(launch: Launch) -> dict[str, dict[str, float]]:
         name: each
         for name, each in changes.items()
         if any(float(launch.input(key)) != value for key, value in each.items())
-        and not (name == "face to the target" and path == 0.0)  # that is square to the path
+        and not (name == "face to the target" and path == 0.0)  # then it is square to the path
     }
 
 
@@ -349,18 +349,18 @@ def _value(shot: WhatIf, name: str) -> float:
 
 
 _FLIGHT, _PATH, _FACE, _START, _CURVE = 0, 1, 2, 3, -2
-"""Styles of the lines: numbers of colours, a grey if negative."""
+"""Line styles: colour numbers, greys if negative."""
 _TALLEST = 3.8
-"""Largest height of a view from above [inches]."""
+"""Maximum height of a view from above [inches]."""
 _MIDDLE, _LESS, _MORE = 4, 5, 6
-"""Styles of strikes in the middle, and towards heel or sole and toe or crown."""
+"""Styles of strikes in the middle, towards heel or sole, and towards toe or crown."""
 
 
 def explanation_picture(explanation: Explanation) -> Picture:
     """Return the picture of an explanation.
 
-    From above the flight with path, face, start and curve; the head as it meets the ball, the tilted ball and the place
-    of the strike; and flights of strikes elsewhere on the face. Angles and flights are to scale.
+    It shows the flight from above with path, face, start and curve; the head at impact, the tilted ball and the impact
+    point; and the flights of strikes elsewhere on the face. Angles and flights are to scale.
     """
     launch, flight = explanation.launch, explanation.flight
     path = trajectory(launch, **explanation.conditions).position
@@ -408,7 +408,7 @@ def _words(name: str, value: float, spec: str = "") -> str:
 
 
 def _with_directions(panel: Panel, height: float, explanation: Explanation, path: Any) -> tuple[Panel, float]:
-    """Return the flight from above with the directions of path, face and start, and its curve; and its height."""
+    """Return the flight from above with path, face, start and curve, and the height of the panel."""
     launch, flight = explanation.launch, explanation.flight
     marks = [each for each in panel.marks if each.kind == "rule"]
     lands = f"flight, lands {_words('side', flight.side, 'sides 0')}"
@@ -437,7 +437,7 @@ def _with_directions(panel: Panel, height: float, explanation: Explanation, path
 
 
 def _at_impact(launch: Launch) -> Panel:
-    """Return the head as it meets the ball from above: the face with its bulge, and its directions, to scale."""
+    """Return the head at impact from above: the face with its bulge, and the directions, to scale."""
     hand, face, path = (float(launch.input(name)) for name in ("hand", "face", "path"))
     toe, width = float(launch.input("toe")), float(launch.input("face_width")) or 0.08
     radius, bulge = float(launch.input("ball_radius")), float(launch.input("bulge"))
@@ -473,7 +473,7 @@ def _at_impact(launch: Launch) -> Panel:
 
 
 def _tilted_ball(launch: Launch) -> Panel:
-    """Return the ball as the player sees it fly off: its spin axis, tilted, and the lift across it."""
+    """Return the ball as the player sees it from behind: its tilted spin axis and the lift across it."""
     tilt = float(launch.spin_axis)
     turn = np.linspace(0.0, 2.0 * np.pi, 61)
     ends = 1.25 * np.array([np.cos(tilt), -np.sin(tilt)])  # to the right, up: tilted right, the right end is down
@@ -494,7 +494,7 @@ def _tilted_ball(launch: Launch) -> Panel:
 
 
 def _face(explanation: Explanation) -> Panel:
-    """Return the face with the strike and those that it is compared with."""
+    """Return the face with the strike and the strikes that it is compared with."""
     launch = explanation.launch
     width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
     turn = np.linspace(0.0, 2.0 * np.pi, 61)
@@ -520,7 +520,7 @@ def _face(explanation: Explanation) -> Panel:
 
 
 def _arrow(start: Any, end: Any, style: int) -> Mark:
-    """Return an arrow as a line that draws its head as well."""
+    """Return an arrow, head included, drawn as one line."""
     way = np.asarray(end) - np.asarray(start)
     barb = 0.06 * np.array([-way[1], way[0]])
     neck = np.asarray(start) + 0.88 * way

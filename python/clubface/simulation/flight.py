@@ -1,13 +1,13 @@
-"""The flight of the ball through moist air and wind, its bounces and its roll on grounds that go by name.
+"""The flight of the ball through moist air and wind, its bounces and roll, and the named grounds.
 
-How firm a ground is and how its grass slows a rolling ball are independent here. Firmness is the tilt of the effective
-plane of a bounce and a factor on the restitution. The average ground lies between two published readings: runs that a
-TrackMan computes today ask for a tilt of 13.3 deg, those of the PGA Tour's drives for at most 12.3. Firm is the ground
-of TrackMan's chart of 2010 and of the LPGA Tour's drives; soft differs from the average as much to the other side.
-
-Grass is the rolling friction of a slow ball, for fairways that of Penner's average green, on which a ball runs 6 ft off
-a Stimpmeter (0.131), for greens of today that of 10 ft (0.0784), both assumed; and the way over which it slows a fast
-ball, for fairways from low shots that a TrackMan computes, for greens, cut to a quarter, four times as long (assumed).
+Firmness of a ground and rolling resistance of its grass are independent. Firmness is the tilt of the effective plane of
+a bounce and a factor on the restitution. The average ground lies between two published values: runs computed by a
+TrackMan today imply a tilt of 13.3 deg, the PGA Tour's drives at most 12.3. Firm is the ground of TrackMan's chart of
+2010 and of the LPGA Tour's drives; soft differs from the average by as much in the other direction. Grass has two
+parameters. The rolling friction of a slow ball is, for fairways, that of Penner's average green, on which a ball runs 6
+ft off a Stimpmeter (0.131), and for today's greens that of 10 ft (0.0784), both assumed. The distance over which grass
+slows a fast ball is, for fairways, fitted to low shots computed by a TrackMan, and for greens, cut to a quarter of the
+height, four times as long (assumed).
 """
 
 from __future__ import annotations
@@ -61,20 +61,20 @@ GROUNDS: Mapping[str, Mapping[str, float]] = MappingProxyType({
     for surface, grass in _GRASS.items()
     for firmness, bounce in _FIRMNESS.items()
 })  # fmt: skip
-"""Inputs of a flight [SI] by the name of the ground; what a ground does not name is as on any other."""
+"""Inputs of a flight [SI] by name of the ground; values that are not listed keep their defaults."""
 
 
 MEASURED_DESCENT, MEASURED_SPEED = 25.0 * math.pi / 180.0, 19.0
-"""Least angle of descent [rad] and least speed [m/s] at landing of balls whose runs were measured and published."""
+"""Minimum descent angle [rad] and landing speed [m/s] of the balls whose runs were measured and published."""
 
 
 def has_measured_run(landing_angle: float, landing_speed: float) -> bool:
-    """Return whether runs of balls that land like this are published, and not only computed by a monitor."""
+    """Return whether measured runs are published for balls that land like this, not only runs computed by monitors."""
     return landing_angle >= MEASURED_DESCENT and landing_speed >= MEASURED_SPEED
 
 
 def ground_of(ground: str | Mapping[str, Any] | None) -> dict[str, Any]:
-    """Return the inputs of a flight meant by None, the name of a ground, or a mapping of values themselves."""
+    """Return the flight inputs of a ground given as None, a name, or a mapping of values."""
     if ground is None:
         return {}
     if isinstance(ground, str):
@@ -87,18 +87,18 @@ def ground_of(ground: str | Mapping[str, Any] | None) -> dict[str, Any]:
 
 @dataclass(frozen=True, kw_only=True)
 class Air:
-    """The air the ball flies through, each value text with a unit, an SI number, or an array.
+    """The air that the ball flies through. A value is text with a unit, an SI number, or an array.
 
     Attributes
     ----------
     temperature
-        [K]; 25 degC unless given, to which published carries are normalised.
+        Air temperature [K]. Default: 25 degC, to which published carries are normalised.
     pressure
-        [Pa]; left out, that of the standard atmosphere at the altitude.
+        Air pressure [Pa]. Default: the standard atmosphere at the altitude.
     humidity
-        Relative, 0 to 1; 0.5 unless given.
+        Relative humidity, 0 to 1. Default: 0.5.
     altitude
-        Above the sea [m]; it sets the pressure, not the temperature.
+        Altitude above sea level [m]; it sets the pressure, not the temperature.
     """
 
     temperature: Any = None
@@ -122,27 +122,27 @@ class Air:
             whole = pressure[0] if isinstance(altitude, float) else np.array(pressure).reshape(np.shape(altitude))
             object.__setattr__(self, "pressure", whole)
         allowed = flight_inputs()["pressure"]
-        # One of many altitudes whose pressure a flight does not take is reported with its flight.
+        # In an array, an altitude whose pressure is out of range is reported with its flight.
         if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
             limits = units.show_range(allowed.lower, allowed.upper, "hPa")
             text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
             raise InputError("altitude", units.show(self.altitude, "m"), text)
 
     def values(self) -> dict[str, NumberOrArray]:
-        """Return the inputs of a flight, SI, by name."""
+        """Return the inputs of a flight by name [SI]."""
         return {"temperature": self.temperature, "pressure": self.pressure, "humidity": self.humidity}
 
 
 AirLike = Air | Mapping[str, ValueLike]
 """Air, or its values by name."""
 WindLike = ValueLike | Mapping[str, ValueLike]
-"""Three components to the target, up and right; or these by name, or speed and direction of a level wind."""
+"""Components to the target, up and right, as a sequence or by name; or speed and direction of a level wind."""
 GroundLike = str | Mapping[str, ValueLike]
 """The name of a ground, or its values by name."""
 
 
 def air_of(values: Air | Mapping[str, Any] | None) -> Air:
-    """Return the air meant by None, a mapping of its values, or an :class:`Air` itself."""
+    """Return the :class:`Air` for None, a mapping of its values, or an :class:`Air`."""
     if values is None:
         return Air()
     if isinstance(values, Air):
@@ -158,14 +158,14 @@ VELOCITY = tuple(f"velocity_{axis}" for axis in AXES)
 SPIN = tuple(f"spin_{axis}" for axis in AXES)
 BALL = ("ball_mass", "ball_radius", "ball_inertia")
 LEVEL = ("wind_speed", "wind_direction")
-"""The keys of a level wind, given by its speed and the direction in which it blows, instead of its components."""
+"""Keys of a level wind given by its speed and the direction it blows towards, instead of components."""
 
 
 class FlightColumns(NamedTuple):
-    """Flights as the core takes them."""
+    """Inputs of flights in the form that the core takes."""
 
     columns: dict[str, Any]  # the inputs by name, in the order of the core: a number, or an array of the flights, flat
-    shape: tuple[int, ...]  # to which the inputs broadcast; () for a single flight
+    shape: tuple[int, ...]  # shape to which the inputs broadcast; () for a single flight
     varied: dict[str, NDArray[Any]]  # the inputs given as arrays, not broadcast; those of a launch stay with it
 
 
@@ -175,7 +175,7 @@ def flight_columns(
     wind: Any,
     ground: str | Mapping[str, Any] | None,
 ) -> FlightColumns:
-    """Lay out flights; the arguments are those of :func:`clubface.fly`."""
+    """Lay out flights for the core; arguments as for :func:`clubface.fly`."""
     inputs = flight_inputs()
     given: dict[str, Any] = {}
     if isinstance(launch, Launch):
@@ -207,14 +207,14 @@ def flight_columns(
 
 
 def conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> dict[str, Any]:
-    """Return the inputs of a flight that air, wind and ground give [SI], by name."""
+    """Return the inputs of a flight given by air, wind and ground [SI], by name."""
     blowing = _group("wind", _wind(wind), ("wind_x", "wind_y", "wind_z"))
     given = {**air_of(air).values(), **blowing, **ground_of(ground)}
     return {name: parse_input(value, name) for name, value in given.items()}
 
 
 def check_conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> None:
-    """Refuse air, wind and ground, single numbers all, that no flight takes."""
+    """Raise InputError if a value of air, wind or ground is not a single number or out of range."""
     for name, value in conditions(air, wind, ground).items():
         allowed = flight_inputs()[name]
         if not isinstance(value, float):
@@ -249,7 +249,7 @@ def _wind(wind: Any) -> Mapping[str, Any]:
 
 
 def _level_wind(wind: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the components of a wind that is given by speed and direction; any other as it is."""
+    """Convert a wind given by speed and direction to components; return any other wind unchanged."""
     rest = {name: value for name, value in wind.items() if name not in LEVEL}
     if len(rest) == len(wind):
         return wind
@@ -275,38 +275,38 @@ def _group(what: str, values: Any, known: Any) -> dict[str, Any]:
 
 
 class Flight(Batch):
-    """Where the ball goes, SI and radians; every quantity is an attribute, of the shape of the batch.
+    """The flight of the ball in SI and radians; every quantity is an attribute of the shape of the batch.
 
     Attributes
     ----------
     carry
-        Straight distance from the start to where the ball comes down to its height [m].
+        Straight distance from the start to the landing at the same height [m].
     side
         Distance of the landing from the target line [m], right is positive.
     apex
-        Greatest height above the start [m].
+        Maximum height above the start [m].
     landing_angle
         Angle of descent below the horizontal [rad].
     flight_time
-        From launch to landing [s].
+        Time from launch to landing [s].
     landing_speed
-        [m/s].
+        Ball speed at landing [m/s].
     landing_spin
-        [rad/s].
+        Total spin at landing [rad/s].
     total
-        Straight distance from the start to rest, after bounces and roll [m].
+        Straight distance from the start to where the ball comes to rest after bounces and roll [m].
     total_side
-        Distance of the place of rest from the target line [m], right is positive.
+        Distance of the resting point from the target line [m], right is positive.
     outside_fit
-        1 where the spin parameter left the range of the aerodynamic fit, else 0.
+        1 if the spin parameter left the range of the aerodynamic fit, else 0.
     curve
-        Distance of the landing from the line on which the ball starts [m], across that line; right is positive.
+        Distance of the landing from the start line of the ball, across that line [m]; right is positive.
     launch
-        The launch it began with, or None where it was given as numbers.
+        The launch of the ball, or None if it was given as numbers.
     shape
-        The shape the inputs broadcast to; () for a single flight.
+        Shape to which the inputs broadcast; () for a single flight.
     problems
-        The flights without a result (their values are NaN) and why.
+        The flights without a result, whose values are NaN, with the reasons.
     """
 
     _kind = "flight"
@@ -341,25 +341,25 @@ class Flight(Batch):
 
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:
-        """Return the quantities by name, with unit and meaning."""
+        """Return the quantities of a flight by name, with unit and meaning."""
         return flight_outputs()
 
     @property
     def start(self) -> NumberOrArray:
-        """Horizontal direction in which the ball starts [rad], right of the target is positive."""
+        """Start direction of the ball in the horizontal plane [rad], right of the target is positive."""
         return _of_shape(np.arctan2(self._columns["velocity_z"], self._columns["velocity_x"]), self.shape)
 
     def shot_shape(self, hand: HandLike | None = None) -> Any:
-        """Return what golfers call the shot, such as "pull hook", and an array of it for a batch.
+        """Return the golfer's name of the shot, such as "pull hook"; an array for a batch.
 
         Parameters
         ----------
         hand
-            1 or "right", -1 or "left"; that of the club unless given, and right where no club is known.
+            1 or "right", -1 or "left". Default: the hand of the club, or right if no club is known.
 
         See Also
         --------
-        clubface.simulation.shot_shape : the limits between the names, and their source.
+        clubface.simulation.shot_shape : the limits between the names and their source.
         """
         if hand is None:
             hand = 1.0 if self.launch is None else _of_shape(np.asarray(self.launch.input("hand")), self.launch.shape)
@@ -373,7 +373,7 @@ class Flight(Batch):
 
     @property
     def varied(self) -> Mapping[str, Varied]:
-        """The inputs that were given as arrays, by name; those of the impact where there was one."""
+        """The inputs given as arrays, by name, including those of the impact if there was one."""
         result = dict(self.launch.varied) if self.launch is not None else {}
         for name, values in self._varied.items():
             each = flight_inputs()[name]
@@ -382,12 +382,12 @@ class Flight(Batch):
 
     @property
     def inputs(self) -> Mapping[str, NumberOrArray]:
-        """What it was computed from, by name [SI]; an array is flat."""
+        """The inputs of the flight by name [SI]; arrays are flat."""
         return self._columns
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """The launch it began with, air, ground and version."""
+        """Launch, air, ground and version that the flight was computed with."""
         inputs = flight_inputs()
         held = {name: value for name, value in self._columns.items() if isinstance(value, float)}
         groups = {
@@ -430,36 +430,36 @@ def fly(
     progress: Callable[[int], object] | None = None,
     on_error: Literal["raise", "nan"] = "raise",
 ) -> Flight | dict[str, Flight]:
-    """Compute where a launched ball goes.
+    """Compute the flight, bounces and roll of a launched ball.
 
     Parameters
     ----------
     launch
-        A :class:`Launch`; a comparison of models, which gives one flight for each; or a mapping of values, in the terms
-        of a launch monitor (``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin``, or ``total_spin``
-        and ``spin_axis``) or as vectors (``velocity_x`` ... ``spin_z``), with ``ball_mass``, ``ball_radius``,
-        ``ball_inertia`` where the ball is not the default one. Text with a unit, SI numbers, or arrays.
+        A :class:`Launch`; a comparison of models, which gives one flight for each; or a mapping of launch monitor
+        values (``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin``, or ``total_spin`` and
+        ``spin_axis``) or of vector components (``velocity_x`` ... ``spin_z``), with ``ball_mass``, ``ball_radius``,
+        ``ball_inertia`` if the ball is not the default one. Values are text with a unit, SI numbers, or arrays.
     air
-        An :class:`Air` or a mapping of its values; left out, 25 degC at sea level.
+        An :class:`Air` or a mapping of its values. Default: 25 degC at sea level.
     wind
-        Velocity of the wind to the target, up and right, three values (``("-10 mph", 0, 0)`` is a headwind), or a
-        mapping of ``wind_x``, ``wind_y``, ``wind_z``, or of ``wind_speed`` and ``wind_direction`` [rad], where a
-        level wind blows to: 0 to the target, 90 degrees right, 180 degrees against the ball. No wind if left out.
+        Wind velocity: three components to the target, up and right (``("-10 mph", 0, 0)`` is a headwind), a mapping of
+        ``wind_x``, ``wind_y``, ``wind_z``, or a mapping of ``wind_speed`` and ``wind_direction``, the direction a level
+        wind blows towards [rad]: 0 to the target, 90 degrees right, 180 degrees against the ball. Default: no wind.
     ground
-        "fairway" (so if left out), "firm fairway", "soft fairway", "green", "firm green", "soft green", or a mapping of
+        "fairway" (default), "firm fairway", "soft fairway", "green", "firm green", "soft green", or a mapping of
         ``restitution_factor``, ``ground_tilt``, ``ground_friction``, ``rolling_friction``, ``grass_length``.
     threads
-        How many threads compute; all cores if left out. The result does not depend on it.
+        Number of threads. Default: all cores. The result does not depend on it.
     progress
-        Called with the number of flights done.
+        Function called with the number of flights done.
     on_error
-        What happens to a flight that cannot be computed: "raise" raises an error, "nan" gives NaN and an entry in
-        ``Flight.problems``. A launch without a result has no flight either, and raises nothing.
+        "raise" raises an error for a flight that cannot be computed, "nan" gives NaN and an entry in
+        ``Flight.problems``. A launch without a result never raises an error; its flight is NaN.
 
     Returns
     -------
     Flight
-        Its quantities have the shape to which the inputs broadcast.
+        The flights; quantities have the shape to which the inputs broadcast.
     """
     if isinstance(launch, Comparison):
         return {
@@ -485,7 +485,7 @@ def fly(
 def _sorted_problems(
     problems: list[tuple[int, str, str]], columns: Mapping[str, Any], launch: Any, shape: tuple[int, ...]
 ) -> tuple[list[tuple[int, str, str]], list[tuple[int, str, str]]]:
-    """Give flights that have no launch the reason of the impact; return all problems, and those of flights alone."""
+    """Replace the reasons of flights without a launch by the impact's; return all problems and the flights' own."""
     if not isinstance(launch, Launch) or not launch.problems:
         return problems, problems
     reasons = {each.row: each for each in launch.problems}
@@ -508,17 +508,17 @@ class Trajectory(Series):
     Attributes
     ----------
     time
-        Since launch [s], shape (n,).
+        Time since launch [s], shape (n,).
     position
-        From the start, to the target, up, right [m], shape (n, 3).
+        Position relative to the start, to the target, up, right [m], shape (n, 3).
     velocity
-        [m/s], shape (n, 3).
+        Velocity [m/s], shape (n, 3).
     spin
         Angular velocity [rad/s], shape (n, 3).
     inputs
-        Of the flight, by name [SI].
+        Inputs of the flight by name [SI].
     launch
-        The launch it began with; None for one that was given by its values.
+        The launch of the ball, or None if it was given as numbers.
     """
 
     quantities = {  # noqa: RUF012
@@ -537,7 +537,7 @@ class Trajectory(Series):
         self.provenance = {**began, "inputs": {"values": dict(inputs)}}
 
     def to_result(self) -> Result:
-        """Return where and when it lands, and every point as a row."""
+        """Return place and time of the landing, and a table of all points."""
         from clubface.simulation.shot_result import trajectory_result
 
         return trajectory_result(self)
@@ -555,7 +555,7 @@ def trajectory(
     wind: WindLike | None = None,
     ground: GroundLike | None = None,
 ) -> Trajectory:
-    """Compute the path of one ball, at times at most 0.02 s apart; the arguments are those of :func:`fly`."""
+    """Compute the path of one ball at times at most 0.02 s apart; arguments as for :func:`fly`."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
         raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")

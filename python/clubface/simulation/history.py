@@ -1,4 +1,4 @@
-"""The course of one contact: forces, sliding, motion of both bodies, energy."""
+"""The time history of one contact: forces, sliding, motion of both bodies, energy."""
 
 from __future__ import annotations
 
@@ -59,34 +59,34 @@ _TIME = Variable("time", "s", "time since first touch")
 
 
 class History(Series):
-    """One contact from first touch to separation, SI, a value for every step; an attribute a quantity.
+    """Time history of one contact from first touch to separation; every quantity is an attribute [SI].
 
-    Forces act on the ball; y' points up the face and z' towards the toe at the contact point. Vectors of the bodies
-    are in world axes: x to the target, y up, z to the right. For a left-handed club y', z' and the club's attitude
-    are those of its mirror image.
+    Forces are those on the ball; y' points up the face and z' towards the toe at the contact point. Vectors of the
+    bodies are in world axes: x to the target, y up, z to the right. For a left-handed club, y', z' and the club's
+    attitude are those of its mirror image.
 
     Attributes
     ----------
     time
-        Since first touch [s], shape (n,).
+        Time since first touch [s], shape (n,).
     normal_force, force_y, force_z
         Normal force and friction on the ball [N], shape (n,).
     penetration, face_depth
-        Of the ball, and how far the face has moved inwards [m], shape (n,).
+        Penetration of ball and face, and inward displacement of the face [m], shape (n,).
     sliding_y, sliding_z
         Sliding velocity of the ball's surface on the face [m/s], shape (n,).
     contact_area
-        [m2], shape (n,).
+        Area of contact [m2], shape (n,).
     kinetic_energy, face_energy, layer_energy, normal_work, friction_work, layer_work
         The energy balance [J], shape (n,).
     ball_position, ball_velocity, ball_spin, cover_spin, core_spin, club_position, club_velocity, club_spin
         Motion of both bodies [m, m/s, rad/s], shape (n, 3).
     club_attitude
-        Quaternion w, x, y, z, shape (n, 4).
+        Attitude of the clubhead as a quaternion w, x, y, z, shape (n, 4).
     ring_radius, ring_traction_y, ring_traction_z, ring_slip, ring_inside
-        State of the rings, if the model has them [m, Pa, 1], shape (n, rings).
+        State of the contact rings of models that have them [m, Pa, 1], shape (n, rings).
     launch
-        The launch it ends with.
+        The launch at the end of the contact.
     """
 
     time: Floats
@@ -133,7 +133,7 @@ class History(Series):
 
     @property
     def quantities(self) -> dict[str, Variable]:  # pyright: ignore[reportIncompatibleVariableOverride]
-        """The quantities it holds by name, with unit and meaning."""
+        """Quantities of the history by name, with unit and meaning."""
         table = _STEPS | _VECTORS | _ATTITUDE | _RINGS | _RADIUS
         known = {name: Variable(name, *each) for name, each in table.items() if name in self._arrays}
         return {"time": _TIME, **known}
@@ -144,13 +144,13 @@ class History(Series):
         return self.launch.provenance
 
     def get(self, name: str, unit: str | None = None) -> Floats:
-        """Return a quantity by name, in ``unit`` where one is given: ``get("time", "us")``."""
+        """Return a quantity by name in SI, or in ``unit``: ``get("time", "us")``."""
         check_choice("quantity", name, self.quantities)
         value = self._arrays[name]
         return value if unit is None else in_unit(value, self.quantities[name], unit)
 
     def to_result(self) -> Result:
-        """Return contact time and peak force, and every step as a row."""
+        """Return contact time and peak force, and a table of all steps."""
         from clubface.simulation.shot_result import history_result
 
         return history_result(self)
@@ -173,12 +173,12 @@ def history(
     hand: HandLike | None = None,
     **values: ValueLike | None,
 ) -> History:
-    """Compute one contact and keep every step; the arguments are those of :func:`impact`, for a single shot.
+    """Compute the time history of one contact; arguments as for :func:`impact`, for a single shot.
 
     Raises
     ------
     InputError
-        As :func:`impact`; and for an impulse model, which does not follow the contact in time.
+        As for :func:`impact`, or the model is an impulse model, which does not follow the contact in time.
     """
     if model_named(model).kind != "contact":
         contact = [name for name, each in models().items() if each.kind == "contact"]

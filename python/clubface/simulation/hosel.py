@@ -1,4 +1,4 @@
-"""What passes between an attached head and its shaft during impact: impulse, moment and energy."""
+"""Impulse, moment and energy exchanged between an attached head and its shaft during impact."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ INERTIA = ("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class HoselReaction(Described):
-    """What the head does to its shaft during one impact, and where the energy goes.
+    """Impulse and moment of the head on its shaft during one impact, and the energy balance.
 
     Attributes
     ----------
     impulse
-        Of the head on the shaft [N s], in the axes of the head at first touch (x to the target, y up, z towards the toe
-        while it stands at its static loft), shape (3,).
+        Impulse of the head on the shaft [N s], shape (3,), in the axes of the head at first touch (x to the target, y
+        up, z towards the toe while the club stands at its static loft).
     moment
-        Impulse of moment on the shaft about ``point`` [N m s], in the same axes, shape (3,).
+        Angular impulse on the shaft about ``point`` [N m s], in the same axes, shape (3,).
     point
-        From the CG of the head [m], in the same axes, shape (3,).
+        Reference point, from the CG of the head [m], in the same axes, shape (3,).
     contact_time
-        Over which they act [s]; NaN where the model has none.
+        Contact time over which they act [s]; NaN for a model without a time scale.
     head_energy, shaft_energy, ball_energy
-        What each gains [J].
+        Energy gained by head, shaft and ball [J].
     launch
-        The impact.
+        The launch of the impact.
     """
 
     impulse: Any
@@ -58,11 +58,11 @@ class HoselReaction(Described):
 
     @property
     def lost_energy(self) -> float:
-        """What becomes heat, vibration of the ball, or stays in the face [J]."""
+        """Energy lost to heat, to vibration of the ball or left in the face [J]."""
         return -(self.head_energy + self.shaft_energy + self.ball_energy)
 
     def to_result(self) -> Result:
-        """Return it as a result: the energy ledger, and impulse and moment by axis."""
+        """Return the energy balance, and impulse and moment by axis."""
         ledger = table(
             "energy",
             text("body", ["head", "shaft", "ball", "lost"]),
@@ -92,17 +92,17 @@ class HoselReaction(Described):
 
 
 def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None = None) -> HoselReaction:
-    """Compute what an attached head does to its shaft during an impact, from how its own motion changes.
+    """Compute impulse, moment and energy passed from an attached head to its shaft, from the change of its motion.
 
-    The added inertia of the club takes part with velocity v and angular velocity w of the head: its momenta are A v +
-    B w and B' v + D w, in a frame that moves as the CG did at first touch.
+    The added inertia moves with the velocity v and angular velocity w of the head: its momenta are A v + B w and B' v +
+    D w, in a frame that moves with the velocity of the CG at first touch.
 
     Parameters
     ----------
     launch
-        Of a single shot with a club on a shaft, as :func:`clubface.impact` returns it.
+        Launch of a single shot with a club on a shaft, from :func:`clubface.impact`.
     shaft
-        The shaft, for the place of the hosel; left out, the moment is about the CG.
+        The shaft, which locates the hosel. Default: the moment is about the CG.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
         allowed = 'one on a shaft, as by clubface.club("driver").on_shaft("graphite")'
         raise InputError("club", Wording(f"{launch.club.name}, a free head"), allowed)
     hand = launch.input("hand")
-    # A left-handed head is a mirror image in z, where angular velocities mirror the other way round.
+    # A left-handed head is mirrored in z; angular velocities mirror with the opposite signs.
     mirror = np.array([1.0, 1.0, hand, hand, hand, 1.0])
     added = matrix_of(values) * np.outer(mirror, mirror)
     inertia = np.array([[launch.input(name) for name in row] for row in INERTIA]) * np.outer(mirror[3:], mirror[3:])
@@ -134,7 +134,7 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
     before = np.concatenate([np.zeros(3), start.T @ pose.angular_velocity])
     after = np.concatenate([end.T @ (club_after - pose.velocity), end.T @ spin_after])
     first, last = added @ before, added @ after
-    # Back to the axes of first touch, to which both belong.
+    # Back to the axes of first touch, in which both are given.
     turn = start.T @ end
     impulse = turn @ last[:3] - first[:3]
     moment = turn @ last[3:] - first[3:]
