@@ -1,4 +1,4 @@
-"""Golfers: the distribution of the deliveries with which the club arrives at the ball, shot by shot.
+"""Golfers: the distribution of their club deliveries from shot to shot.
 
 As a TOML file::
 
@@ -61,34 +61,34 @@ MOST_SHOTS = 2**32
 def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0, threads: int | None = None) -> Floats:
     """Return points ``start`` to ``start + count`` of a scrambled Sobol sequence, shape (count, dimensions).
 
-    Numbers lie strictly between 0 and 1. Those of a dimension depend on seed and index alone, on any number of
-    ``threads`` (None: one for each core). Direction numbers are those of Joe and Kuo (2008), scrambled as Owen (1995)
-    has it by the hash of Burley (2020).
+    Numbers lie strictly between 0 and 1. Each depends only on dimension, seed and index, not on the number of
+    ``threads`` (None: one per core). Direction numbers are from Joe and Kuo (2008), with Owen scrambling (1995) by the
+    hash of Burley (2020).
     """
     count = check_count("count", count, 1, MOST_SHOTS)
     start = check_count("start", start, 0, MOST_SHOTS - count)
     seed = check_count("seed", seed, 0, MOST_SEED)
-    check_request(count, 4 * 8 * dimensions)  # the points, and what is made of them
+    check_request(count, 4 * 8 * dimensions)  # the points and what is computed from them
     return core.quasi_random(dimensions, count, seed, start, thread_count(threads)).T
 
 
 UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
-"""The unit in which each dimension of a delivery is read and written."""
+"""Unit for reading and writing each dimension of a delivery."""
 ASSUMED = "assumed"
-"""The source of a figure that has none."""
+"""Source of a figure for which none is given."""
 MIRRORED = ("path", "face")
-"""The variables whose sign a left-handed golfer changes."""
+"""Variables that change sign for a left-handed golfer."""
 WIDEST = 20.0
-"""The widest scale of mishits."""
+"""Largest ``mishit_scale``."""
 WORDS = {
     "attack": "attack angle", "path": "club path", "loft": "dynamic loft", "face": "face angle",
     "toe": "strike, heel to toe", "high": "strike, low to high",
 }  # fmt: skip
-"""What people call variables of a delivery."""
+"""Common names of delivery variables."""
 
 
 def variable_label(variable: str) -> str:
-    """Return what people call a variable of a delivery."""
+    """Return the common name of a delivery variable."""
     return WORDS.get(variable, variable.replace("_", " "))
 
 
@@ -96,33 +96,33 @@ def variable_label(variable: str) -> str:
 class Golfer:
     """The joint distribution of deliveries at the moment of impact, in SI units.
 
-    Shots are normally distributed. With the probability ``mishit_share`` a shot is a mishit, whose deviations from the
-    mean are ``mishit_scale`` times as wide. The impact point belongs to the delivery. ``loft`` and ``face`` are those
-    at the face centre, so that what the curved face adds at the impact point is not counted twice.
+    Shots are normally distributed. With probability ``mishit_share`` a shot is a mishit, with deviations from the mean
+    ``mishit_scale`` times as large. The impact point is part of the delivery. ``loft`` and ``face`` refer to the face
+    centre, so that the curvature of the face is not counted twice.
 
     Attributes
     ----------
     name
-        Its name in reports.
+        Name in reports.
     title
-        Whom it describes, in a line.
+        Description in one line.
     club
-        The club the deliveries are of: a built-in name, or what its owner calls it.
+        The club delivered: a built-in name, or the owner's name for it.
     hand
-        +1 for a right-handed golfer, -1 for a left-handed one; path and face angle are in world terms.
+        +1 for a right-handed golfer, -1 for a left-handed one; path and face angle do not change sign with it.
     variables
-        The values of a delivery that vary, as :class:`clubface.Delivery` names them, shape (k,). What is not among them
-        keeps its default; the loft is then the static loft of the club.
+        Names of the delivery values the golfer sets, as in :class:`clubface.Delivery`, shape (k,). All others keep
+        their defaults; the default loft is the club's static loft.
     mean
         Their means [SI], shape (k,).
     covariance
-        Covariance of shots that are no mishits [SI], shape (k, k).
+        Covariance of the shots that are not mishits [SI], shape (k, k).
     mishit_share
         Share of the shots that are mishits, from 0 to below 1.
     mishit_scale
-        How many times as wide mishits spread, 1 to 20.
+        Factor on the deviations of a mishit, 1 to 20.
     sources
-        Where a figure comes from, by its name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
+        Source of each figure by name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
         ``mishits``. A figure that is not listed is assumed.
     """
 
@@ -185,27 +185,27 @@ class Golfer:
 
     @property
     def dimensions(self) -> int:
-        """The number of independent random numbers behind a shot."""
+        """Number of independent random numbers per shot."""
         return len(self.variables) + (self.mishit_share > 0.0)
 
     @cached_property
     def spread(self) -> Floats:
-        """Standard deviation of each variable [SI], mishits left out, shape (k,)."""
+        """Standard deviation of each variable without mishits [SI], shape (k,)."""
         return np.sqrt(np.diag(self.covariance))
 
     @cached_property
     def total_covariance(self) -> Floats:
-        """Covariance of all shots, mishits among them [SI], shape (k, k)."""
+        """Covariance of all shots, including mishits [SI], shape (k, k)."""
         return self.covariance * (1.0 + self.mishit_share * (self.mishit_scale**2 - 1.0))
 
     @cached_property
     def correlation(self) -> Floats:
-        """Correlations of shots that are no mishits, shape (k, k); 0 with a variable that does not vary."""
+        """Correlations without mishits, shape (k, k); 0 for a variable that does not vary."""
         scale = np.where(self.spread > 0.0, self.spread, 1.0)
         return self.covariance / np.outer(scale, scale)
 
     def source(self, figure: str) -> str:
-        """Return the source of a figure, such as "spread of face"; "assumed" if it has none."""
+        """Return the source of a figure such as "spread of face", or "assumed"."""
         return self.sources.get(figure, ASSUMED)
 
     def figures(self) -> list[str]:
@@ -215,7 +215,7 @@ class Golfer:
         return names + ["correlation"] * correlated + ["mishits"] * (self.mishit_share > 0.0)
 
     def figures_by_source(self) -> dict[str, list[str]]:
-        """Return the names of all figures in words, by their source."""
+        """Return readable names of all figures, grouped by source."""
         result: dict[str, list[str]] = {}
         for figure in self.figures():
             result.setdefault(self.source(figure), []).append(figure.replace("_", " "))
@@ -226,21 +226,21 @@ class Golfer:
         return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
 
     def sample(self, count: int, *, seed: int = 0, start: int = 0, threads: int | None = None) -> dict[str, Floats]:
-        """Return deliveries that are spread evenly over the distribution.
+        """Return deliveries spread evenly over the distribution.
 
-        Shot ``i`` is a function of the seed and of ``i`` alone, whatever ``start`` and ``count``: chunks joined are bit
-        for bit the shots made at once. They come from a scrambled Sobol sequence, so that powers of two are best.
+        Shot ``i`` depends only on the seed and on ``i``: chunks joined are, bit for bit, the shots made at once. They
+        come from a scrambled Sobol sequence, so powers of two are best.
 
         Parameters
         ----------
         count
-            How many.
+            Number of shots.
         seed
-            Which of the random scramblings; two seeds give independent shots.
+            Seed of the scrambling; different seeds give independent shots.
         start
-            The index of the first.
+            Index of the first shot.
         threads
-            How many threads make them, None for one on each core; the shots do not depend on it.
+            Number of threads (None: one per core); the shots do not depend on it.
 
         Returns
         -------
@@ -251,15 +251,15 @@ class Golfer:
         return self.deliveries(numbers, threads=threads)
 
     def deliveries(self, uniform: Floats, *, threads: int | None = None) -> dict[str, Floats]:
-        """Return the deliveries that belong to numbers evenly distributed between 0 and 1.
+        """Return the deliveries for uniform random numbers between 0 and 1.
 
         Parameters
         ----------
         uniform
-            Shape (n, :attr:`dimensions`); with mishits the last column decides whether a shot is one. A left-handed
-            golfer makes of them the mirror images of the shots of the same golfer with the other hand.
+            Shape (n, :attr:`dimensions`); with mishits, the last column decides which shots are mishits. The mirrored
+            golfer gives the mirror images of the same shots.
         threads
-            As of :meth:`sample`.
+            As for :meth:`sample`.
         """
         given = units.numbers(uniform, name="uniform")
         if given.ndim != 2 or given.shape[1] != self.dimensions:
@@ -270,7 +270,7 @@ class Golfer:
         return dict(zip(self.variables, values, strict=True))
 
     def _deliveries(self, columns: list[Floats], threads: int = 0) -> Floats:
-        """Return deliveries, shape (k, n), from columns of numbers between 0 and 1."""
+        """Return deliveries, shape (k, n), from columns of uniform numbers between 0 and 1."""
         mirrored = [self.hand < 0 and name in MIRRORED for name in self.variables]
         share, scale = float(self.mishit_share), float(self.mishit_scale)
         return core.golfer_deliveries(
@@ -278,7 +278,7 @@ class Golfer:
         )
 
     def for_hand(self, hand: float) -> Self:
-        """Return the golfer for a club of the given hand: mirrored where it is that of the other hand."""
+        """Return the golfer, mirrored if ``hand`` is not the golfer's own."""
         if hand not in (-1, 1):
             raise InputError("hand", hand, "1 or -1")
         if (hand > 0) == (self.hand > 0):
@@ -288,7 +288,7 @@ class Golfer:
         return replace(self, hand=-self.hand, mean=self.mean * sign, covariance=self.covariance * both)
 
     def content(self) -> list[Any]:
-        """Return all that shots depend on, for a fingerprint."""
+        """Return everything the shots depend on, for a fingerprint."""
         return [
             self.name, self.variables, self.mean, self.covariance, self.mishit_share, self.mishit_scale, self.hand
         ]  # fmt: skip
@@ -313,17 +313,17 @@ def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
 
 @dataclass(frozen=True)
 class DeliveryFigure(Value):
-    """The kind of a mean, or a spread, of one value of a delivery."""
+    """Schema of the mean or the spread of one delivery value."""
 
     name: str
     is_spread: bool = False
 
     def read(self, given: Any, place: Place) -> float:
-        """Return the figure [SI], if shots can have it."""
+        """Return the value [SI]; refuse one that no shot can have."""
         value = DELIVERY_QUANTITIES[self.name].read(given, place)
         if self.is_spread and value < 0.0:
             raise place.invalid(given, "a standard deviation, which must not be negative")
-        # A spread so wide that two of them are no shot, such as 0.9 rad, was meant in another unit, too.
+        # A spread so wide that twice as much is impossible, such as 0.9 rad, was probably meant in another unit.
         if value and not can_be(self.name, 2.0 * value if self.is_spread else value):
             raise place.invalid(
                 given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[self.name]]}"
@@ -345,7 +345,7 @@ class DeliveryFigure(Value):
 
 @dataclass(frozen=True, kw_only=True)
 class Mishit:
-    """How often the golfer mishits, and how far."""
+    """Share and size of mishits."""
 
     share: float = file_key(PhysicalValue("1", lower=0, below=1), "share of the shots that are mishits")
     scale: float = file_key(PhysicalValue("1", 1, WIDEST), "factor on their deviations")
@@ -356,7 +356,7 @@ TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))
 
 @dataclass(frozen=True, kw_only=True)
 class GolferFile:
-    """A file of a golfer."""
+    """A golfer file."""
 
     title: str = file_key(TEXT, "description of the golfer, in one line")
     club: str = file_key(Reference(os.fspath), "the club that is delivered", default="driver")
@@ -378,13 +378,13 @@ class GolferFile:
 
 
 def read(source: str | os.PathLike[str]) -> Golfer:
-    """Read a golfer: a shipped one by its name, or the TOML file at a path."""
+    """Read a shipped golfer by name, or a TOML file."""
     path = path_of("golfer", source, "golfers")
     return from_document(Document.read(path), Path(path).stem)
 
 
 def from_document(document: Document, name: str) -> Golfer:
-    """Return the golfer a document describes; ``name`` is what it is called."""
+    """Return the golfer described by a document, under the name ``name``."""
     file = decode(GolferFile, document)
     variables = tuple(each for each in OF_CLUB if each in file.mean or each in file.spread)
     mean, spread = (np.array([part.get(each, 0.0) for each in variables]) for part in (file.mean, file.spread))
@@ -394,7 +394,7 @@ def from_document(document: Document, name: str) -> Golfer:
                 "spread.loft", document.data["spread"]["loft"], "left out, or give the mean of loft as well"
             )
         correlation = _correlations(Place(document).key("correlation"), file.correlation, variables, spread)
-        with np.errstate(over="ignore"):  # what is too large is refused
+        with np.errstate(over="ignore"):  # infinite values are refused below
             covariance = correlation * np.outer(spread, spread)
         mishit = file.mishit or Mishit(share=0.0, scale=1.0)
         parts = {f"{part} of {one}": text for part in ("mean", "spread")
@@ -407,7 +407,7 @@ def from_document(document: Document, name: str) -> Golfer:
 
 
 def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[str, ...], spread: Floats) -> Floats:
-    """Return the matrix of the correlations of a file."""
+    """Return the correlation matrix of a golfer file."""
     matrix = np.eye(len(variables))
     seen: set[frozenset[str]] = set()
     for index, each in enumerate(given):
@@ -427,7 +427,7 @@ def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[s
 
 
 def to_toml(golfer: Golfer) -> str:
-    """Write a golfer as TOML text, which reads back as the same to 12 digits."""
+    """Return a golfer as TOML text, which reads back identically to 12 digits."""
     pairs = [(one, other) for one in range(len(golfer.variables)) for other in range(one)]
     sources: dict[str, Any] = {}
     for figure, text in golfer.sources.items():
@@ -456,7 +456,7 @@ def to_toml(golfer: Golfer) -> str:
 
 
 def written(value: float, name: str) -> str:
-    """Write a value of a delivery [SI] with the unit that people use for it."""
+    """Return a delivery value [SI] as text with its usual unit."""
     dimension = OF_CLUB[name]
     unit = UNIT.get(dimension, SI_UNITS[dimension])
     number = units.from_si(value, unit)
@@ -464,12 +464,12 @@ def written(value: float, name: str) -> str:
 
 
 def is_assumed(golfer: Golfer, figure: str) -> bool:
-    """Return whether a figure of a golfer has no published or measured source."""
+    """Return whether a golfer's figure has no published or measured source."""
     return golfer.source(figure).startswith(ASSUMED)
 
 
 def golfer_sources(golfer: Golfer) -> list[str]:
-    """Return where the figures of a golfer come from, those of one source together."""
+    """Return the sources of a golfer's figures, one line per source."""
     sources = golfer.figures_by_source().items()
     return [f"Golfer {golfer.title or golfer.name}, {', '.join(figures)}: {source}" for source, figures in sources]
 
@@ -480,7 +480,7 @@ def golfers() -> tuple[str, ...]:
 
 
 def club_of(player: Golfer) -> str:
-    """Return the club of a golfer: a built-in one, or the path of a file; of any other the name alone is known."""
+    """Return a golfer's club, a built-in name or a file's path; raise an error if only the owner's name is known."""
     if player.club in CLUB_NAMES or is_path(player.club):
         return player.club
     raise InputError(
@@ -489,10 +489,10 @@ def club_of(player: Golfer) -> str:
 
 
 def own_club(player: Golfer) -> Club:
-    """Return the club of a golfer, of his hand."""
+    """Return a golfer's club, for the golfer's hand."""
     return club_named(club_of(player)).replace(hand=player.hand)
 
 
 def golfer(name: str | os.PathLike[str] | Golfer) -> Golfer:
-    """Return a golfer by the name of a shipped one or the path of a TOML file; a :class:`Golfer` is returned as is."""
+    """Return the shipped golfer of this name or the one in a TOML file; a :class:`Golfer` is returned as is."""
     return name if isinstance(name, Golfer) else read(name)

@@ -1,22 +1,22 @@
-"""One's own golfer from the shots of a launch monitor, and what rests on assumed figures.
+"""Estimating a golfer from launch monitor shots, and the sensitivity of dispersion to assumed figures.
 
-What counts is how a golfer's shots differ from each other at the moment of impact. A session also drifts, as the golfer
-tires or works on something, and now and then comes a mishit. Therefore spreads and correlations come from the
-differences of successive shots, in which a drift is all but gone (von Neumann, 1941), and shots are taken as a mixture
-with mishits. Rows that do not stand in the order of play have no drift to take out: sorted ones would make the spreads
-far too small. They are put into a random order first.
+A golfer is described by how deliveries differ from shot to shot. A session also drifts, as the golfer tires or works on
+something, and contains mishits. Spreads and correlations therefore come from differences of successive shots, which
+nearly cancel drift (von Neumann, 1941), and shots are modelled as a mixture with mishits. If rows are not in the order
+of play there is no drift to remove, and sorted rows would give spreads that are far too small; such rows are shuffled
+first.
 
-Of the two normal distributions that of the mishits is c times as wide. A difference of two shots then has the
-covariance 2 C with the probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and
-covariance C are those of the greatest likelihood. A mishit counts for little in C, as in other robust estimates. How
-far C could be another with other mishits that go nearly as well with the shots is part of its stated error.
+Both parts of the mixture are normal, with the mishits c times as wide. The difference of two shots then has covariance
+2 C with probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and covariance C
+are maximum-likelihood estimates. As in other robust estimates, a mishit has little weight in C. The stated error of C
+includes the uncertainty about the mishits.
 
-Correlations are drawn towards zero by the share that makes their expected square error least (Ledoit and Wolf, 2004):
-few shots and many quantities make strong correlations by chance alone. Spreads stay, and any number of shots gives
-correlations that are possible together.
+Correlations are shrunk towards zero by the amount that minimises their expected squared error (Ledoit and Wolf, 2004),
+because few shots and many quantities give strong correlations by chance. Spreads are not shrunk, and the correlation
+matrix is valid for any number of shots.
 
-To see what rests on assumed figures, they are changed one at a time, and the same quasi-random shots are hit with each,
-so that a difference is one of the figure and not of the sample.
+To show how much depends on assumed figures, each is changed in turn and the same quasi-random shots are hit, so that
+differences come from the figure and not from sampling.
 """
 
 from __future__ import annotations
@@ -42,34 +42,34 @@ from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats, ValueLike
 
 ENOUGH = 40
-"""Shots from which on mishits are looked for; with fewer they are those of the golfer that fills the gaps."""
+"""Number of shots needed to estimate mishits; with fewer, they are taken from the golfer that fills the gaps."""
 SCALES = np.arange(1.5, 6.01, 0.25)
-"""The scales of mishits that are tried."""
+"""Scales of mishits tried."""
 GAIN = 4.0
-"""Least gain in logarithmic likelihood by which mishits are taken to exist."""
+"""Gain in log likelihood required to accept that there are mishits."""
 ROUNDS = 60
 SETTLED = 1e-7
-"""Part of the variances by which a covariance still changes when it is taken to be that of the greatest likelihood."""
+"""Relative change of a covariance below which its iteration has converged."""
 VANISHES = 1e-12
-"""Part of a variance below which a quantity is one that hardly ever changes: all its changes count as mishits."""
+"""Relative variance below which a quantity hardly ever changes, because every change counts as a mishit."""
 STANDARD_ERROR = 0.75
-"""Variance of the estimated spread, in squared spreads over the number of shots: 3/4 from successive differences of
-normally distributed shots, where it is 1/2 about the mean."""
+"""Variance of an estimated spread times the number of shots over the squared spread: 3/4 from successive differences of
+normally distributed shots, compared with 1/2 from deviations from the mean."""
 MIXTURES = [(0.0, 1.0), *product((0.03, 0.08, 0.15, 0.25), (1.5, 2.0, 3.0, 4.5))]
-"""Shares and scales of mishits between which shots may leave open what the golfer is."""
+"""Shares and scales of mishits over which the uncertainty is averaged."""
 NO_MISHITS = 0.15
-"""How likely the first of these is before any shot is seen; the others are all alike."""
+"""Prior probability of the first mixture; the others share the rest equally."""
 EFFECTIVE_SHARE = 2 / 3
-"""Number of independent shots that a difference of successive shots counts as, since each shot is in two of them: the
-variance of a spread is 1/2 about the mean, and 3/4 from differences (``STANDARD_ERROR``)."""
+"""Number of independent shots one successive difference is worth, since each shot is in two of them: the variance of a
+spread is 1/2 about the mean and 3/4 from differences (``STANDARD_ERROR``)."""
 BLOCKS = 20
-"""Parts of a longer session, of which each is left out once to see how sure the spreads are (jackknife)."""
+"""Number of blocks of a long session for the jackknife error of the spreads."""
 OF_FEW = 1.07
-"""How much wider intervals from so few parts are: Student's distribution of 19 degrees of freedom, 2.09 for 1.96."""
+"""Widening of intervals from so few blocks: Student's t with 19 degrees of freedom, 2.09 instead of 1.96."""
 
 
 class Mixture(NamedTuple):
-    """The covariance of shots that are no mishits, and share and scale of those that are."""
+    """Covariance of the shots that are not mishits, and share and scale of the mishits."""
 
     covariance: Floats
     share: float
@@ -77,30 +77,30 @@ class Mixture(NamedTuple):
 
 
 def mixture(steps: Floats) -> Mixture:
-    """Return the mixture of the greatest likelihood; share 0 where mishits gain too little."""
+    """Return the maximum-likelihood mixture; its share is 0 if mishits gain too little likelihood."""
     result = Mixture(covariance_of(steps, 0.0, 1.0), 0.0, 1.0)
-    best, covariance = _weighed(steps, result).likelihood + GAIN, result.covariance
+    best, covariance = _fit_mixture(steps, result).likelihood + GAIN, result.covariance
     for scale in map(float, SCALES):
         share = 0.1
         for _ in range(ROUNDS):
             covariance = covariance_of(steps, share, scale, start=covariance)
-            before, share = share, _weighed(steps, Mixture(covariance, share, scale)).mishits
+            before, share = share, _fit_mixture(steps, Mixture(covariance, share, scale)).mishits
             if abs(share - before) < 1e-5:
                 break
-        if (likelihood := _weighed(steps, Mixture(covariance, share, scale)).likelihood) > best:
+        if (likelihood := _fit_mixture(steps, Mixture(covariance, share, scale)).likelihood) > best:
             best, result = likelihood, Mixture(covariance, share, scale)
     return result
 
 
 def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | None = None) -> Floats:
-    """Return the covariance of shots that are no mishits, of the greatest likelihood for a share and scale of these.
+    """Return the maximum-likelihood covariance without mishits, for a given share and scale of mishits.
 
-    ``start`` is a covariance to begin with, such as that of another share.
+    ``start`` is the initial covariance of the iteration, such as the result for another share.
     """
     first, _ = shrunk(steps, np.full(len(steps), 0.5))
     covariance = first if start is None else start
     for _ in range(ROUNDS):
-        weights = _weighed(steps, Mixture(covariance, share, scale)).weights
+        weights = _fit_mixture(steps, Mixture(covariance, share, scale)).weights
         before, (covariance, _) = covariance, shrunk(steps, weights)
         size = np.sqrt(np.outer(np.diag(first), np.diag(first)))
         if (np.diag(covariance) < VANISHES * np.diag(first)).any():
@@ -111,12 +111,11 @@ def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | 
 
 
 def shrunk(steps: Floats, weights: Floats) -> tuple[Floats, float]:
-    """Return the covariance of weighted differences of shots, and the share by which correlations are shrunk.
+    """Return the covariance of weighted differences of shots, and the shrinkage of its correlations.
 
-    The share is that of Ledoit and Wolf (2004): the sum of the variances of correlations over that of their squares.
-    Their target is a multiple of the identity; here each quantity is in its own spread, so that spreads stay.
-    ``weights``, by which the square of each of the ``steps`` counts, shape (n,), are 1/2 each for normally distributed
-    shots.
+    The shrinkage of Ledoit and Wolf (2004) is the sum of the variances of the correlations over the sum of their
+    squares. Their target is a multiple of the identity; here quantities are first scaled by their spreads, which
+    therefore do not change. ``weights`` of the squared ``steps``, shape (n,), are 1/2 for normally distributed shots.
     """
     count = len(steps)
     weighted = steps * np.sqrt(weights)[:, None]
@@ -134,15 +133,15 @@ def shrunk(steps: Floats, weights: Floats) -> tuple[Floats, float]:
     return correlation * np.outer(spread, spread), share
 
 
-class _Weighed(NamedTuple):
-    """How differences of shots fit a covariance: expected 1 / width, log likelihood, estimated share of mishits."""
+class _MixtureFit(NamedTuple):
+    """Fit of differences of shots to a mixture: expected 1 / width, log likelihood, estimated share of mishits."""
 
     weights: Floats
     likelihood: float
     mishits: float
 
 
-def _weighed(steps: Floats, mixed: Mixture) -> _Weighed:
+def _fit_mixture(steps: Floats, mixed: Mixture) -> _MixtureFit:
     covariance, share, scale = mixed
     widths = np.array([2.0, 1.0 + scale**2, 2.0 * scale**2])
     chances = np.array([(1.0 - share) ** 2, 2.0 * share * (1.0 - share), share**2])
@@ -155,11 +154,11 @@ def _weighed(steps: Floats, mixed: Mixture) -> _Weighed:
     total = each.sum(axis=1, keepdims=True)
     each /= total
     likelihood = float((most + np.log(total)).sum()) - len(steps) * float(np.log(np.diag(root)).sum())
-    return _Weighed((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
+    return _MixtureFit((each / widths).sum(axis=1), likelihood, float((each[:, 1] + 2.0 * each[:, 2]).mean() / 2.0))
 
 
 def error_of(steps: Floats, mixed: Mixture) -> Floats:
-    """Return the standard errors of the spreads: of the sample, and of not knowing the mishits."""
+    """Return the standard errors of the spreads, from sampling and from the uncertainty about mishits."""
     covariance, share, scale = mixed
     spread = np.sqrt(np.diag(covariance))
     of_sample = spread * np.sqrt(STANDARD_ERROR / (len(steps) + 1))
@@ -168,13 +167,13 @@ def error_of(steps: Floats, mixed: Mixture) -> Floats:
         without = [np.delete(steps, part, axis=0) for part in parts]
         spreads = np.sqrt([np.diag(covariance_of(each, share, scale, start=covariance)) for each in without])
         of_sample = np.maximum(of_sample, OF_FEW * np.sqrt((BLOCKS - 1) * spreads.var(axis=0)))
-    return np.hypot(of_sample, spread * _doubt(steps, spread))
+    return np.hypot(of_sample, spread * _mishit_error(steps, spread))
 
 
-def _doubt(steps: Floats, spread: Floats) -> Floats:
-    """Return how far off the spreads are in proportion: in the root mean square over mixtures by their likelihood."""
+def _mishit_error(steps: Floats, spread: Floats) -> Floats:
+    """Return the relative error of the spreads: the root mean square over mixtures weighted by likelihood."""
     mixtures = [Mixture(covariance_of(steps, *each), *each) for each in MIXTURES]
-    logs = np.array([_weighed(steps, each).likelihood for each in mixtures])
+    logs = np.array([_fit_mixture(steps, each).likelihood for each in mixtures])
     before = [NO_MISHITS, *[(1.0 - NO_MISHITS) / (len(MIXTURES) - 1)] * (len(MIXTURES) - 1)]
     chances = before * np.exp(EFFECTIVE_SHARE * (logs - logs.max()))
     away = np.log(np.sqrt([np.diag(each.covariance) for each in mixtures]) / spread)
@@ -182,7 +181,7 @@ def _doubt(steps: Floats, spread: Floats) -> Floats:
 
 
 def mean_of(values: Floats, mixed: Mixture) -> Floats:
-    """Return the mean in which a shot counts the less, the more likely it is a mishit."""
+    """Return the mean, in which a shot has less weight the more likely it is a mishit."""
     covariance, share, scale = mixed
     mean, size = np.median(values, axis=0), values.shape[1]
     if share == 0.0:
@@ -199,18 +198,17 @@ def mean_of(values: Floats, mixed: Mixture) -> Floats:
 
 
 FEWEST = 6
-"""Shots without which nothing is estimated: with six a spread is known to a factor of two either way in 19 of 20
-sessions, exp(1.96 sqrt(3/4 / 6)) = 2.0."""
+"""Minimum number of shots for an estimate: with six, a spread is within a factor of two in 19 of 20 sessions, exp(1.96
+sqrt(3/4 / 6)) = 2.0."""
 CONDITION = 1e6
-"""Greatest ratio of the singular values of differences, each quantity in its spread: beyond, one of them follows from
-the others."""
+"""Condition number of the scaled differences above which one quantity follows from the others."""
 ZIGZAG = 3.5
-"""Standard deviations by which successive shots differ more than shots apart in rows that are in no order of play. Of
-n independent shots, half the mean square of successive differences over the variance is 1 to 1/sqrt(n) (von Neumann,
+"""Number of standard deviations above 1 of von Neumann's ratio that shows rows are not in the order of play. For n
+independent shots, half the mean squared successive difference over the variance is 1 within 1/sqrt(n) (von Neumann,
 1941)."""
 SORTED = 8
-"""Different values from which on a column that only rises, or only falls, shows that rows are sorted; by chance 1 of
-20,000 do."""
+"""Number of different values for which a column that only rises or only falls proves the rows are sorted; by chance 1
+in 20,000 does."""
 
 
 class Estimate(NamedTuple):
@@ -221,20 +219,20 @@ class Estimate(NamedTuple):
     golfer
         The golfer.
     shots
-        The number of shots used.
+        Number of shots used.
     measured
-        The variables whose spread was measured; all others spread as those of ``like``.
+        Variables whose spread was measured; all others spread as for ``like``.
     error
-        Standard error of the spread of each measured variable [SI], shape (measured,). It holds in proportion: the
-        spread lies within a factor of exp(1.96 error / spread) either way in about 19 of 20 sessions. Not knowing how
-        many mishits there are is part of it.
+        Standard error of the spread of each measured variable [SI], shape (measured,). It is proportional: the true
+        spread is within a factor of exp(1.96 error / spread) either way in about 19 of 20 sessions. It includes the
+        uncertainty about mishits.
     drift
-        Standard deviation about the session's mean over that from successive differences, by variable: well above 1
-        where the session drifted, well below 1 where the rows do not stand in the order of play, shape (measured,).
+        Standard deviation about the session's mean over the one from successive differences, shape (measured,): well
+        above 1 if the session drifted, well below 1 if the rows are not in the order of play.
     shrinkage
-        Share by which correlations were drawn towards zero, 0 to 1 (Ledoit and Wolf, 2004): the more, the fewer shots.
+        Share by which correlations were shrunk towards zero, 0 to 1 (Ledoit and Wolf, 2004); larger with fewer shots.
     like
-        The shipped golfer that has what was not measured.
+        The shipped golfer that supplies what was not measured.
     notes
         Caveats of the estimate.
     """
@@ -264,27 +262,26 @@ def estimate_golfer(
     mismatch: str = "refuse",
     assume: Mapping[str, ValueLike] | None = None,
 ) -> Estimate:
-    """Estimate a golfer from shots in the order in which they were hit, without mishits that their flight shows.
+    """Estimate a golfer from shots in the order of play, leaving out mishits recognised by their flight.
 
     Parameters
     ----------
     shots
-        Shots of one club and one player, or a launch monitor's file. Face angles that were measured at the point of
-        contact are brought back to the face centre.
+        Shots of one club and one player, or a launch monitor's file. Face angles measured at the impact point are
+        converted to the face centre.
     name
-        What to call the golfer.
+        Name of the golfer.
     like
-        The golfer that gives what was not measured; left out, the shipped one with this kind of club whose mean speed
-        is nearest.
+        The golfer that supplies what was not measured; default the shipped golfer with this kind of club and the
+        nearest mean speed.
     club, hand, only, where, mismatch, assume
-        Which shots of the file, of which club, and values for what was not measured; as of
+        Choice of shots and club, and values for what was not measured, as for
         :func:`clubface.shots.measured.ready_shots`.
 
     Raises
     ------
     InputError
-        There are fewer than ``FEWEST`` shots, shots of several players or clubs, or quantities of which one follows
-        from the others.
+        There are fewer than ``FEWEST`` shots, several players or clubs, or one quantity follows from the others.
     """
     shots = ready_shots(shots, club=club, hand=hand, only=only, where=where, mismatch=mismatch, assume=assume)
     if shots.groups() is not None:
@@ -297,15 +294,15 @@ def estimate_golfer(
     mishit = is_mishit(mishits, len(shots))
     if mishits:
         shots = shots.select(~mishit)
-    names, values, same = _complete(shots)
-    base = golfer_named(like if like is not None else _nearest(shots, names, values))
+    names, values, same = _complete_shots(shots)
+    base = golfer_named(like if like is not None else _nearest_golfer(shots, names, values))
     base = base.for_hand(shots.club.hand if shots.hand is None else HANDS[str(shots.hand[0])])
-    before, order = values, _disorder(values, names)
+    before, order = values, _order_problem(values, names)
     if order is not None:
         values = np.random.default_rng(0).permutation(values)
     steps = np.diff(values, axis=0)
     try:
-        if _dependent(steps):
+        if _has_dependent_column(steps):
             raise np.linalg.LinAlgError
         if len(values) < ENOUGH:
             mishits_of_base = base.mishit_share, base.mishit_scale
@@ -313,11 +310,11 @@ def estimate_golfer(
         else:
             mixed = mixture(steps)
         mean, error = mean_of(values, mixed), error_of(steps, mixed)
-        _, shrinks = shrunk(steps, _weighed(steps, mixed).weights)
+        _, shrinks = shrunk(steps, _fit_mixture(steps, mixed).weights)
     except np.linalg.LinAlgError:
         problem = Wording("such that one quantity follows from others or hardly ever changes")
         raise InputError("shots", problem, f"leave out the column of one of {', '.join(names)}") from None
-    together = _together(base, names, mean, mixed.covariance, same, shots)
+    together = _merge_figures(base, names, mean, mixed.covariance, same, shots)
     looked_for = len(values) >= ENOUGH
     together["sources"]["mishits"] = f"measured: {shots.source}" if looked_for else f"assumed: as of {base.name}"
     fitted = Golfer(
@@ -328,14 +325,14 @@ def estimate_golfer(
     if order is None:
         drift = values.std(axis=0, ddof=1) / total[[fitted.variables.index(each) for each in names]]
     else:
-        drift = 1.0 / np.sqrt(_zigzag(before))
+        drift = 1.0 / np.sqrt(_von_neumann_ratio(before))
     left_out = [note("golfer-mishits-left-out", mishits=int(mishit.sum()), shots=len(mishit))] if mishits else []
     notes = (*left_out, *_notes(shots, len(values), names, base, drift, same, order, shrinks))
     return Estimate(fitted, len(values), names, error, drift, shrinks, base.name, notes)
 
 
-def _dependent(steps: Floats) -> bool:
-    """Return whether one quantity follows from others; with few shots, whether it follows from one other."""
+def _has_dependent_column(steps: Floats) -> bool:
+    """Return whether one quantity follows from the others; with few shots, only pairs are tested."""
     scaled = steps / np.sqrt((steps**2).mean(axis=0))
     if len(steps) > steps.shape[1]:
         return bool(np.linalg.cond(scaled) > CONDITION)
@@ -343,31 +340,31 @@ def _dependent(steps: Floats) -> bool:
     return bool((alike[~np.eye(len(alike), dtype=bool)] > 1.0 - 1.0 / CONDITION).any())
 
 
-def _zigzag(values: Floats) -> Floats:
-    """Return half the mean square of successive differences over the variance, by column (von Neumann, 1941)."""
+def _von_neumann_ratio(values: Floats) -> Floats:
+    """Return half the mean squared successive difference over the variance, by column (von Neumann, 1941)."""
     return 0.5 * (np.diff(values, axis=0) ** 2).mean(axis=0) / values.var(axis=0, ddof=1)
 
 
-def _disorder(values: Floats, names: tuple[str, ...]) -> str | None:
-    """Return in words why rows do not stand in the order of play; None if they may."""
+def _order_problem(values: Floats, names: tuple[str, ...]) -> str | None:
+    """Return why rows cannot be in the order of play, in words; None if they may be."""
     steps = np.diff(values, axis=0)
-    # Of equal values, as rounding makes them, only one counts.
+    # Equal values, as from rounding, count once.
     rises = ((steps >= 0.0).all(axis=0) | (steps <= 0.0).all(axis=0)) & ((steps != 0.0).sum(axis=0) >= SORTED - 1)
     if rises.any():
         return f"the rows are sorted by {names[int(np.argmax(rises))].replace('_', ' ')}"
-    zigzag = _zigzag(values)
+    zigzag = _von_neumann_ratio(values)
     most = int(np.argmax(zigzag))
     if zigzag[most] > 1.0 + ZIGZAG / np.sqrt(len(values)):
         return f"rows that follow each other differ more than others in {names[most].replace('_', ' ')}"
     return None
 
 
-def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, float]]:
-    """Return the measured variables, the shots that have all of them, shape (n, k), and what is the same in each."""
+def _complete_shots(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, float]]:
+    """Return the measured variables, their values in complete shots, shape (n, k), and the constant ones."""
     given = {name: values for name, values in shots.deliveries.items() if name in OF_CLUB}
-    # What was measured in fewer than half of the shots would leave too few of them.
+    # Variables measured in fewer than half of the shots would leave too few complete ones.
     names = tuple(name for name in OF_CLUB if name in given and np.isfinite(given[name]).mean() > 0.5)
-    names = _together_often(names, given)
+    names = _drop_sparse_names(names, given)
     if "speed" not in names:
         why = "".join(f"; {each}" for each in shots.notes if _explains_missing_speed(each))
         raise InputError(
@@ -378,7 +375,7 @@ def _complete(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[str, flo
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
-    # What never changes was set, not measured: it tells a mean, but no spread.
+    # A value that never changes was set, not measured: it gives a mean but no spread.
     varies = np.ptp(values, axis=0) > 0.0 if len(values) > 1 else np.ones(len(names), dtype=bool)
     same = {name: float(row[0]) for name, row, does in zip(names, values.T, varies, strict=True) if not does}
     if len(values) < FEWEST:
@@ -399,8 +396,8 @@ def _explains_missing_speed(remark: Note) -> bool:
     )  # fmt: skip
 
 
-def _together_often(names: tuple[str, ...], given: Mapping[str, Floats]) -> tuple[str, ...]:
-    """Leave out the quantities that are missing most often until enough shots have all the others."""
+def _drop_sparse_names(names: tuple[str, ...], given: Mapping[str, Floats]) -> tuple[str, ...]:
+    """Return the names without those missing most often, so that enough shots have all of the rest."""
     seen = {name: np.isfinite(given[name]) for name in names}
     while len(seen) > 1 and np.logical_and.reduce(list(seen.values())).sum() < FEWEST:
         worst = min((name for name in seen if name != "speed"), key=lambda name: int(seen[name].sum()))
@@ -410,17 +407,17 @@ def _together_often(names: tuple[str, ...], given: Mapping[str, Floats]) -> tupl
     return tuple(seen)
 
 
-def _nearest(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
+def _nearest_golfer(shots: ReadyShots, names: tuple[str, ...], values: Floats) -> str:
     kind = "driver" if shots.club.parameters == "driver" else "7-iron"
     speed = float(np.median(values[:, names.index("speed")]))
     some = [each for each in map(golfer_named, golfers()) if each.club == kind]
     return min(some, key=lambda each: abs(each.mean[each.variables.index("speed")] - speed)).name
 
 
-def _together(
+def _merge_figures(
     base: Golfer, names: tuple[str, ...], mean: Floats, covariance: Floats, same: Mapping[str, float], shots: ReadyShots
 ) -> dict[str, Any]:
-    """Return variables, moments and sources: those measured, and of the base what was not."""
+    """Return variables, moments and sources of the golfer: measured ones, completed from ``base``."""
     variables = tuple(name for name in OF_CLUB if name in names or name in same or name in base.variables)
     centre, matrix = np.zeros(len(variables)), np.zeros((len(variables),) * 2)
     sources = {}
@@ -469,20 +466,20 @@ def _notes(
 
 
 OFF = 0.3
-"""Share by which a figure is taken to be off."""
+"""Default relative change of a figure."""
 COUNT = 2**15
-"""Shots of each change; with them a change of a standard deviation is known to about a hundredth of it (of amateurs'
-drives, whose few worst mishits count most; of others better)."""
+"""Shots per change, enough to know a change of a standard deviation to about 1 % (for amateurs' drives, where the few
+worst mishits count most; better for others)."""
 QUANTITIES = ("carry", "side")
 LEAST = 0.01
-"""Least eigenvalue of correlations made stronger: what is left of a variable that all but follows from others."""
+"""Smallest eigenvalue allowed when correlations are made stronger."""
 
 
 class Doubt(NamedTuple):
-    """What the landings do if one figure is smaller or larger.
+    """Effect of a smaller and a larger figure on the spread of the landings.
 
-    The ``figure`` has its name of :meth:`Golfer.source`, and is ``assumed`` where it has no published or measured
-    source; ``spread`` is the standard deviation [m] of each of ``QUANTITIES`` with it smaller and larger.
+    ``figure`` is named as in :meth:`Golfer.source` and ``assumed`` if it has no published or measured source;
+    ``spread`` is the standard deviation [m] of each of ``QUANTITIES`` with it smaller and larger.
     """
 
     figure: str
@@ -491,10 +488,10 @@ class Doubt(NamedTuple):
 
 
 class Doubts(NamedTuple):
-    """How far the spread of the landings rests on each figure, the one that changes the landings most first.
+    """Sensitivity of the spread of the landings to each figure, most important first.
 
     Every figure is changed by the share ``off``; ``spread`` is the standard deviation [m] of each of ``QUANTITIES``
-    with all as they are. Each change is of so many ``shots``.
+    without a change, and ``shots`` the number of shots per change.
     """
 
     off: float
@@ -503,15 +500,15 @@ class Doubts(NamedTuple):
     shots: int = COUNT
 
     def changes(self, doubt: Doubt, name: str) -> tuple[float, float]:
-        """Return by which share a quantity spreads more with the figure smaller and larger; 0 if it never differs."""
+        """Return the relative change of a quantity's spread with the figure smaller and larger; 0 without spread."""
         now, (less, more) = self.spread[name], doubt.spread[name]
         return (less / now - 1.0, more / now - 1.0) if now > 0.0 else (0.0, 0.0)
 
 
 def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) -> Doubts:
-    """Hit a golfer's shots with each spread, the correlations and the share of mishits off by ``off`` either way.
+    """Hit a golfer's shots with each spread, the correlations and the mishit share changed by ``off`` either way.
 
-    It is by the default model in still air, with ``count`` shots of each change; ``off`` is a share.
+    Uses the default model in still air and ``count`` shots per change; ``off`` is a relative change.
     """
     if not 0.0 < off < 1.0:
         raise InputError("off", off, "a share between 0 and 1")
@@ -522,7 +519,7 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         return {name: shots.spread(name) for name in QUANTITIES}
 
     figures = []
-    for figure in _varying(player):
+    for figure in _spread_figures(player):
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
         both = {name: (less[name], more[name]) for name in QUANTITIES}
         figures.append(Doubt(figure, is_assumed(golfer, figure), both))
@@ -532,7 +529,7 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
 
 
 def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:
-    """Return a golfer one of whose figures is ``factor`` times as large, all others as they are."""
+    """Return a golfer with one figure multiplied by ``factor``."""
     if figure == "mishits":
         return golfer.replace(mishit_share=min(golfer.mishit_share * factor, 0.99))
     spread = golfer.spread
@@ -545,9 +542,9 @@ def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:
 
 
 def possible(correlation: Floats) -> Floats:
-    """Return correlations that are possible together, near those given: eigenvalues are raised to ``LEAST``.
+    """Return a valid correlation matrix near the given one, by raising eigenvalues to at least ``LEAST``.
 
-    Strong correlations made stronger may contradict each other.
+    Strong correlations that are made stronger may contradict each other.
     """
     values, vectors = np.linalg.eigh(correlation)
     if values[0] >= LEAST:
@@ -559,7 +556,7 @@ def possible(correlation: Floats) -> Floats:
     return 0.5 * (scaled + scaled.T)
 
 
-def _varying(golfer: Golfer) -> list[str]:
-    """Return the figures that spread the shots: spreads above 0, correlations and mishits."""
+def _spread_figures(golfer: Golfer) -> list[str]:
+    """Return the figures that affect the spread: positive spreads, correlations and mishits."""
     still = {f"spread of {name}" for name, each in zip(golfer.variables, golfer.spread, strict=True) if each == 0.0}
     return [each for each in golfer.figures() if not each.startswith("mean") and each not in still]

@@ -1,4 +1,4 @@
-"""Golfers as results: how they deliver the club, where each figure comes from, and what rests on it."""
+"""Tables, notes and pictures of golfers: deliveries, sources of the figures, and the sensitivity to them."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from clubface.design.golfer_estimate import Doubts, Estimate
 
 WEAK = 0.2
-"""Correlations below this are counted but not printed: in a few dozen shots chance alone makes them."""
+"""Correlations below this are counted but not printed: a few dozen shots give them by chance."""
 MOST_BARS = 8
-"""Figures that are drawn: those that change the landings most."""
+"""Maximum number of figures drawn: those that change the landings most."""
 
 
 def golfers_result(golfers: Sequence[Golfer]) -> Result:
@@ -45,8 +45,8 @@ def golfer_result(
 ) -> Result:
     """Return a golfer as a result.
 
-    ``club`` is the one he hits, None where it is unknown; ``estimate`` and ``doubts`` say from which shots he was
-    estimated, and what rests on each figure.
+    ``club`` is None if unknown; ``estimate`` and ``doubts`` add the shots behind an estimate and the sensitivity to
+    each figure.
     """
     launches = [] if club is None else [impact(club, golfer.for_hand(club.hand).delivery())]
     inputs = {"golfer": golfer.title or golfer.name, "hand": "right" if golfer.hand > 0 else "left"}
@@ -82,14 +82,14 @@ def _moment(golfer: Golfer, part: str, name: str) -> float | None:
     return float(getattr(golfer, part)[golfer.variables.index(name)]) if name in golfer.variables else None
 
 
-def _finer(name: str) -> Quantity:
-    """Return a variable as a quantity, speeds and angles with a digit more."""
+def _quantity_with_digits(name: str) -> Quantity:
+    """Return the quantity of a variable, with an extra digit for speeds and angles."""
     kind = quantity(name)
     return kind._replace(golf=kind.golf._replace(digits=2)) if kind.golf.unit in ("mph", "deg") else kind
 
 
 def _delivery_table(golfer: Golfer, estimate: Estimate | None) -> Table:
-    kinds = [_finer(name) for name in golfer.variables]
+    kinds = [_quantity_with_digits(name) for name in golfer.variables]
     columns = [
         text("variable", golfer.variables, printed=False), text("what", [each.label for each in kinds], in_files=False),
         Column("mean", golfer.mean.tolist(), kinds), Column("spread", golfer.spread.tolist(), kinds, "±"),
@@ -185,7 +185,7 @@ def _notes(golfer: Golfer, estimate: Estimate | None) -> Iterator[Note]:
 
 
 def doubts_picture(doubts: Doubts) -> Picture:
-    """Return how the spread of the landings changes if a figure is off; bars of assumed figures are faint."""
+    """Return bars of the change in spread of the landings if a figure is off; assumed figures are faint."""
     figures = doubts.figures[:MOST_BARS]
     names = [each.figure.replace("_", " ") for each in figures]
     panels: list[Panel | None] = []

@@ -1,7 +1,6 @@
-"""The loft that suits a golfer: the best dynamic loft by each objective, and how much of it makes no difference.
+"""Loft fitting: the best dynamic loft for a golfer by each objective, and the range that makes no difference.
 
-It is an optimisation of the loft alone, so that it gives the same advice as one; a player's report says it in
-sentences.
+It is an optimisation of the loft alone and gives the same advice; a player's report puts it in sentences.
 """
 
 from __future__ import annotations
@@ -48,27 +47,27 @@ from clubface.simulation.inputs import OF_CLUB
 from clubface.support.arrays import Floats
 
 SPAN = units.parse("8 deg", "angle")
-"""How much more and less loft than the present one is tried."""
+"""Range of lofts tried on either side of the present one [rad]."""
 STEPS = 33
-"""Lofts of the curve, half a degree apart."""
+"""Number of lofts on the curve, half a degree apart."""
 SHOTS = 4096
 STARTS = 3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LoftFit(Described):
-    """What the dynamic loft of a golfer is worth.
+    """The result of a loft fitting.
 
     Attributes
     ----------
     optimum
         The optimisation of the loft.
     present
-        The mean dynamic loft as it is [rad].
+        The present mean dynamic loft [rad].
     lofts
         Dynamic lofts of the curve [rad], shape (lofts,).
     values
-        What they are judged by [SI], shape (lofts, objectives), the objectives as the advice has them.
+        Objectives of these lofts [SI], shape (lofts, objectives), in the order of the advice.
     """
 
     optimum: Optimum
@@ -78,23 +77,23 @@ class LoftFit(Described):
 
     @property
     def objectives(self) -> tuple[Objective, ...]:
-        """What the lofts are judged by, the objective asked for first."""
+        """Objectives by which lofts are compared, the requested one first."""
         return self.optimum.study.advised
 
     def loft(self, club: str) -> float:
-        """Return the dynamic loft [rad] of a club of the optimisation: "optimum", or an objective."""
+        """Return the dynamic loft [rad] of a club of the optimisation: "optimum" or the name of an objective."""
         change = self.optimum.fields(club)["loft"] - self.optimum.study.club.loft
         return self.present + change
 
     def best(self, name: str) -> float:
-        """Return the dynamic loft that is best by an objective [rad]."""
+        """Return the best dynamic loft for an objective [rad]."""
         best = self.optimum.advice.best(name)
         return self.loft(list(self.optimum.compared.values())[best]) if best else self.present
 
     def flat(self, name: str) -> tuple[float, float]:
-        """Return the least and the greatest dynamic loft [rad] that cost less than what is worth a change.
+        """Return the range of dynamic lofts [rad] whose loss is too small to be worth a change.
 
-        The curve is a straight line between its lofts. An end of it means that the range may reach farther.
+        The curve is interpolated linearly. If the range stops at an end of the curve, it may extend farther.
         """
         column = [each.name for each in self.objectives].index(name)
         behind = self.objectives[column].sign * self.values[:, column]
@@ -114,7 +113,7 @@ class LoftFit(Described):
 
     @cached_property
     def advice(self) -> Advice:
-        """The present loft, and those that are best by each objective."""
+        """Advice on the present loft and the best loft for each objective."""
         names = [f"present {units.fixed(self.present, 'deg', 1)} of dynamic loft"]
         names += [self._words(club) for club in list(self.optimum.compared.values())[1:]]
         study = self.optimum.study
@@ -126,7 +125,7 @@ class LoftFit(Described):
         return replace(self.optimum.advice, names=tuple(names), conditions=conditions, at_an_end=ends)
 
     def is_at_an_end(self, club: str) -> bool:
-        """Return whether a club of the optimisation has the least or the greatest loft that was tried."""
+        """Return whether a club of the optimisation has the lowest or highest loft tried."""
         return is_at_an_end(self.loft(club), (float(self.lofts[0]), float(self.lofts[-1])))
 
     def _words(self, club: str) -> str:
@@ -143,7 +142,7 @@ class LoftFit(Described):
         return Result(
             kind="loft-fit", title=f"{study.title}, {study.club.name}",
             tables=(_lofts_table(self), *tables, _curve_table(self)),
-            lead=(*advice_lead(advice), *_flat(self)), notes=(note("best-loft-delivered"), *advice_notes(advice)),
+            lead=(*advice_lead(advice), *_flat_notes(self)), notes=(note("best-loft-delivered"), *advice_notes(advice)),
             provenance=study_provenance(study, [study.club]), draw=lambda: [loft_fit_picture(self)],
         )  # fmt: skip
 
@@ -165,26 +164,26 @@ def fit_loft(
     seed: int = 1,
     progress: Callable[[int, int, str], object] | None = None,
 ) -> LoftFit:
-    """Return the dynamic loft that suits a golfer by each objective, and what it is worth.
+    """Return the best dynamic loft for a golfer by each objective, and what it gains.
 
-    A degree of dynamic loft is had from a degree of static loft, as in an optimisation.
+    A degree of static loft changes dynamic loft by a degree, as in an optimisation.
 
     Parameters
     ----------
     golfer
-        Who plays: a name, a file, or a golfer; :func:`steady_golfer` for a single delivery.
+        A golfer, or a name or file of one; :func:`steady_golfer` for a single delivery.
     club
-        With which the golfer delivers; his own unless given.
+        The club delivered; default the golfer's own.
     objective
-        What counts: "carry", "total", "side_spread", "ellipse" or "strokes".
+        "carry", "total", "side_spread", "ellipse" or "strokes".
     worth
         The smallest difference worth a change, by objective: text with a unit or SI numbers.
     hole
-        On which strokes are counted.
+        The hole on which strokes are counted.
     model, parameters, ball, air, wind, ground
-        As for :func:`clubface.impact` and :func:`clubface.fly`; the model is one with derivatives.
+        As for :func:`clubface.impact` and :func:`clubface.fly`; the model must have derivatives.
     shots, seed
-        Shots of the golfer, and which.
+        Number of shots and seed of their random numbers.
     progress
         As for :func:`clubface.optimise`.
 
@@ -218,14 +217,14 @@ def fit_loft(
 
 
 def steady_golfer(club: str = "driver", **delivery: float | str) -> Golfer:
-    """Return a golfer who delivers the club in the same way every time.
+    """Return a golfer whose every delivery is the same.
 
     Parameters
     ----------
     club
-        With which.
+        The golfer's club.
     **delivery
-        Values as for :class:`clubface.Delivery`: text with a unit or SI numbers; speed and loft at least.
+        Values as for :class:`clubface.Delivery`, text with a unit or SI numbers; speed and loft are required.
     """
     from clubface.simulation.inputs import DIMENSIONS
 
@@ -256,7 +255,7 @@ def _lofts_table(fitted: LoftFit) -> Table:
     return Table("lofts", columns, "Dynamic loft, by what counts")
 
 
-def _flat(fitted: LoftFit) -> Iterator[Note]:
+def _flat_notes(fitted: LoftFit) -> Iterator[Note]:
     judge = fitted.objectives[0]
     low, high = fitted.flat(judge.name)
     yield note(
@@ -279,7 +278,7 @@ def _curve_table(fitted: LoftFit) -> Table:
 
 
 def loft_fit_picture(fitted: LoftFit) -> Picture:
-    """Return what each loft gains on the present one by each objective, in differences worth a change."""
+    """Return the gain of each loft over the present one by objective, in multiples of what is worth a change."""
     marks = [Mark("rule", x=fitted.present, style=-2, dash=1), Mark("rule", y=[-1.0, 0.0, 1.0], style=-1)]
     for style, judge in enumerate(fitted.objectives):
         worth = fitted.advice.worth[judge.name]
@@ -294,15 +293,15 @@ def loft_fit_picture(fitted: LoftFit) -> Picture:
 
 
 def player_loft_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield what another loft of a club is worth by carry, then by what else counts; nothing without its delivery.
+    """Yield what another loft would gain in carry, then in other objectives; nothing if the delivery is unknown.
 
-    It is :func:`clubface.design.fit_loft` for the golfer of the shots, so that the report says what ``clubface
-    best-loft --golfer`` does. Where they are too few for a golfer, it is that of the mean delivery that was inferred,
-    without strokes, which depend on how the shots spread.
+    It calls :func:`clubface.design.fit_loft` for the golfer estimated from the shots, so that the report agrees with
+    ``clubface best-loft --golfer``. With too few shots for a golfer it uses the inferred mean delivery and leaves out
+    strokes, which depend on the spread of the shots.
     """
     if club.club is None or club.inferred is None:
         return
-    player = _golfer(club)
+    player = _club_golfer(club)
     fitted = fit_loft(player, club=club.club)
     advice = fitted.advice
     changed = advice.recommended()
@@ -328,8 +327,8 @@ def player_loft_notes(club: ClubStatistics) -> Iterator[Note]:
             )  # fmt: skip
 
 
-def _golfer(club: ClubStatistics) -> Golfer:
-    """Return the golfer of the shots, or one who always delivers the inferred mean where they are too few for one."""
+def _club_golfer(club: ClubStatistics) -> Golfer:
+    """Return the golfer estimated from the shots or, if they are too few, one who always delivers the inferred mean."""
     assert club.club is not None
     assert club.inferred is not None
     try:

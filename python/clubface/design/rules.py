@@ -1,4 +1,4 @@
-"""A club judged by the rules of golf."""
+"""Whether a club conforms to the rules of golf."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ __all__ = ["Rule", "RuleVerdict", "check_result", "check_rules", "rules"]
 UNMEASURED = "not measured"
 """Verdict on a face whose characteristic time is not given."""
 SPRING_ERROR = 0.007
-"""Largest difference of restitution between simulated heads and the springs of their characteristic times; a test
-compares it with the table of docs/finite-elements/heads.md."""
+"""Largest difference in restitution between simulated heads and springs with the same characteristic time; a test
+checks it against the table in docs/finite-elements/heads.md."""
 
 
 def check_rules(
@@ -36,19 +36,19 @@ def check_rules(
     volume: float | str | None = None,
     size: tuple[float | str, float | str, float | str] | None = None,
 ) -> list[RuleVerdict]:
-    """Return the verdict on every limit that holds for a club.
+    """Return the verdict on every limit that applies to a club.
 
-    A characteristic time of 0 stands for a face that nobody has measured: no face is rigid.
+    A characteristic time of 0 means the face has not been measured, since no face is rigid.
 
     Parameters
     ----------
     club
         The club, by name, file or as a :class:`Club`.
     volume
-        Volume of the head: text with a unit, or m3. If left out: that of the mesh of a meshed head.
+        Volume of the head: text with a unit, or m3. Default the volume of the mesh, if the head has one.
     size
-        Size of the head from face to back, from sole to crown and from heel to toe: texts with units, or m. If left
-        out: that of the mesh of a meshed head.
+        Size of the head from face to back, sole to crown and heel to toe: text with units, or m. Default the size of
+        the mesh, if the head has one.
     """
     head = club_of(club)
     unknown = {"characteristic_time": UNMEASURED}
@@ -73,7 +73,7 @@ def check_rules(
 
 
 def check_result(checked: Club, file: str) -> Result:
-    """Return a club with the source of every value, and the verdict on every limit of the rules."""
+    """Return a club's values with their sources, and the verdict on every limit of the rules, as a result."""
     known = [each for each in check_rules(checked) if each.words != NOT_KNOWN]  # a club file needs no volume
     notes = []
     if any(each.words == UNMEASURED for each in known):
@@ -97,7 +97,7 @@ def check_result(checked: Club, file: str) -> Result:
 
 
 def _summary(verdicts: Sequence[RuleVerdict], file: str) -> Note:
-    """Return what the rules say of a club as a whole, where they say anything."""
+    """Return the overall verdict on a club."""
     broken = [each.rule.title for each in verdicts if each.conforms is False]
     unknown = [each.rule.title for each in verdicts if each.conforms is None]
     if broken:
@@ -108,6 +108,6 @@ def _summary(verdicts: Sequence[RuleVerdict], file: str) -> Note:
 
 
 def _quantity_of(rule: Rule) -> Quantity:
-    """Return what a limit is of, in the unit in which it was printed."""
+    """Return the quantity of a rule's limit, in the unit of the printed rule."""
     reading = Reading(rule.unit, 4)
     return Quantity(rule.name, units.SI_UNITS[units.unit(rule.unit).dimension], reading, reading, rule.title)

@@ -1,8 +1,7 @@
-"""Expected strokes: how many a ball at rest still takes, by Broadie's averages of the PGA Tour.
+"""Expected strokes to hole out from where a ball lies, by Broadie's PGA Tour averages.
 
-M. Broadie (2012) gives averages by distance and lie; M. Broadie (2011) those of putts. Between two distances of a table
-the number is taken on a straight line, nearer than the first as at the first, and farther than the last on the line
-through the last two.
+M. Broadie (2012) gives averages by distance and lie, M. Broadie (2011) averages for putts. They are interpolated
+linearly between the distances of a table, constant below the first, and extrapolated from the last two.
 """
 
 from __future__ import annotations
@@ -24,15 +23,15 @@ from clubface.support.checks import check_choice
 LIES = ("tee", "fairway", "rough", "sand", "recovery")
 GREEN = "green"
 AT_REST = (GREEN, "fairway", "rough", "recovery")
-"""Where a ball comes to rest; a hole has no bunkers here."""
+"""Lies in which a ball comes to rest; holes here have no bunkers."""
 FAIRWAY_WIDTH = units.parse("32 yd", "length")
-"""Width of a fairway unless given; assumed, about that of tour courses."""
+"""Default width of a fairway; assumed, about as on tour courses."""
 ROUGH_WIDTH = units.parse("20 yd", "length")
-"""Width of the rough on either side of it unless given; assumed. Beyond it a ball lies among trees: "recovery"."""
+"""Default width of the rough on either side; assumed. A ball beyond it lies among trees: "recovery"."""
 LONGEST = 2000.0
-"""Greatest length or width [m] on a hole."""
+"""Largest length or width of a hole [m]."""
 GREEN_RADIUS = units.parse("12 yd", "length")
-"""Radius of a green unless given, about the hole; assumed: a circle of about 420 m2."""
+"""Default radius of a green around the hole; assumed: a circle of about 420 m2."""
 
 
 WIDTH = PhysicalValue("m", 0, LONGEST)
@@ -68,12 +67,12 @@ class Hole:
         return float(expected(self.lie, np.array([self.length]))[0])
 
     def after(self, ahead: Floats, right: Floats) -> Floats:
-        """Return the strokes expected after balls have come to rest.
+        """Return the strokes expected from where balls have come to rest.
 
         Parameters
         ----------
         ahead, right
-            Where, towards the hole from the tee and to the right of the line [m], shape (n,).
+            Positions from the tee, towards the hole and to the right of the line [m], shape (n,).
         """
         return self.at_rest(ahead, right)[1]
 
@@ -82,7 +81,7 @@ class Hole:
         return self.at_rest(ahead, right)[0]
 
     def at_rest(self, ahead: Floats, right: Floats) -> tuple[NDArray[np.str_], Floats]:
-        """Return lie and strokes expected of balls at rest, as :meth:`lies` and :meth:`after`."""
+        """Return lies and expected strokes of balls at rest, as :meth:`lies` and :meth:`after`."""
         ahead, right = _places(ahead, right)
         tables = [as_lists(lie) for lie in AT_REST]
         hole = (self.length, self.fairway, self.rough, self.green)
@@ -91,14 +90,14 @@ class Hole:
 
 
 def expected(lie: str, distance: Floats) -> Floats:
-    """Return the strokes that the PGA Tour's players take to hole out.
+    """Return the mean number of strokes PGA Tour players take to hole out.
 
     Parameters
     ----------
     lie
         One of ``LIES``, or "green".
     distance
-        From the hole [m].
+        Distance from the hole [m].
     """
     distance = np.asarray(units.parse_values(distance, "length", name="distance"))
     return core.strokes_at(*as_lists(lie), _row(distance)).reshape(distance.shape)

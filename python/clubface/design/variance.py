@@ -1,26 +1,23 @@
-"""What spreads the shots of a golfer: shares of the variance, by sampling and by derivatives.
+"""What spreads a golfer's shots: shares of the variance, by sampling and by derivatives.
 
-Where the variables are independent these are Sobol's indices: the share of the variance that goes with a variable alone
-(first order), and the share that would be left if all others were held (total). Where variables are correlated such
-shares overlap, and do not add up. Then each variable has its Shapley effect instead (Owen, 2014; Song, Nelson and
-Staum, 2016): the variance it adds to that of others, averaged over all orders in which they can be added. These effects
-add up to 1.
+For independent variables these are Sobol indices: the share of the variance due to a variable alone (first order), and
+the share that would remain if all others were fixed (total). With correlated variables such shares overlap and do not
+add up; each variable then gets its Shapley effect instead (Owen, 2014; Song, Nelson and Staum, 2016): the variance it
+adds to the others', averaged over all orders in which variables can be added. These effects sum to 1.
 
-All are of shots that are no mishits: a mishit is further off in all variables at once.
+Mishits are left out, since a mishit deviates in all variables at once.
 
-By derivatives, the first two terms of Taylor's series make the spread. With the gradient g and the matrix H of second
-derivatives at the mean delivery, and the covariance C of shots that are no mishits, a quantity f of normally
-distributed deliveries has
+By derivatives, the spread follows from a second-order Taylor series. With gradient g and Hessian H at the mean
+delivery, and the covariance C without mishits, a quantity f of normally distributed deliveries has
 
     mean = f + tr(H C) / 2,    variance = g' C g + tr(H C H C) / 2,
 
-exactly where it has no derivatives beyond the second, and otherwise to the second order of the spreads. A mishit with
-the probability s is c times as far off, so that the second moments of the shots are m2 = 1 - s + s c^2 times, and their
-fourth ones m4 = 1 - s + s c^4 times as large:
+exactly if it has no higher derivatives, otherwise to second order in the spreads. With probability s a mishit deviates
+c times as far, which multiplies the second moments by m2 = 1 - s + s c^2 and the fourth moments by m4 = 1 - s + s c^4:
 
     mean = f + m2 tr(H C) / 2,    variance = m2 g' C g + m4 tr(H C H C) / 2 + (m4 - m2^2) tr(H C)^2 / 4.
 
-The gradients are exact; the second derivatives are differences of gradients on both sides of the mean.
+Gradients are exact; second derivatives are central differences of gradients.
 """
 
 from __future__ import annotations
@@ -44,9 +41,9 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice, check_names, without_warnings
 
 FLIGHT_OUTCOMES = ("carry", "side", "total", "total_side")
-"""What is differentiated of flights."""
+"""Flight quantities that are differentiated."""
 STEP = 0.1
-"""Distance from the mean at which gradients are taken for second derivatives, in standard deviations."""
+"""Step of the central differences, in standard deviations."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,11 +53,11 @@ class ByDerivatives:
     Attributes
     ----------
     golfer
-        Whose shots.
+        The golfer.
     value
-        What the mean delivery gives, by quantity.
+        Quantities of the mean delivery, by name.
     gradient
-        Derivatives of each quantity by the golfer's variables, shape (k,).
+        Derivatives of each quantity with respect to the golfer's variables, shape (k,).
     second
         Second derivatives of each quantity, shape (k, k).
     """
@@ -71,13 +68,13 @@ class ByDerivatives:
     second: Mapping[str, Floats]
 
     def mean(self, name: str) -> float:
-        """Return the mean of a quantity, to the second order."""
+        """Return the mean of a quantity, to second order."""
         check_choice("quantity", name, self.value)
         m2, _ = moments(self.golfer)
         return self.value[name] + 0.5 * m2 * float(np.trace(self.second[name] @ self.golfer.covariance))
 
     def variance(self, name: str, *, order: int = 2) -> float:
-        """Return the variance of a quantity: of the gradient alone (``order`` 1), or of gradient and curvature."""
+        """Return the variance of a quantity, from the gradient alone (``order`` 1) or with curvature (2)."""
         check_choice("quantity", name, self.value)
         if order not in (1, 2):
             raise InputError("order", order, "1 or 2")
@@ -95,26 +92,26 @@ class ByDerivatives:
 
 
 def moments(golfer: Golfer) -> tuple[float, float]:
-    """Return the mean square and the mean fourth power of the factor by which shots are further off than no mishits."""
+    """Return mean square and mean fourth power, over all shots, of the factor by which mishits widen deviations."""
     share, scale = golfer.mishit_share, golfer.mishit_scale
     return 1.0 - share + share * scale**2, 1.0 - share + share * scale**4
 
 
 def by_derivatives(golfer: Golfer, setup: ImpactSetup) -> ByDerivatives:
-    """Differentiate what a golfer's mean shot gives.
+    """Return the derivatives of launch and flight at a golfer's mean delivery.
 
     Parameters
     ----------
     golfer
-        The golfer, of the club's hand.
+        The golfer, for the club's hand.
     setup
-        How shots are hit. Its model must be one with derivatives; another is an :class:`InputError`.
+        Equipment, model and conditions. A model without derivatives raises an :class:`InputError`.
     """
     value, gradient = _gradients(golfer.mean, golfer, setup)
     second = {name: np.zeros((len(golfer.mean),) * 2) for name in gradient}
     for place, spread in enumerate(golfer.spread):
         if spread == 0.0:
-            continue  # what does not vary needs no curvature
+            continue  # a fixed variable needs no curvature
         step = np.zeros_like(golfer.mean)
         step[place] = STEP * spread
         above, below = (_gradients(golfer.mean + side * step, golfer, setup)[1] for side in (1.0, -1.0))
@@ -125,10 +122,10 @@ def by_derivatives(golfer: Golfer, setup: ImpactSetup) -> ByDerivatives:
 
 
 def _gradients(at: Floats, golfer: Golfer, setup: ImpactSetup) -> tuple[dict[str, float], dict[str, Floats]]:
-    """Return quantities at a delivery and their derivatives by the variables."""
+    """Return quantities at a delivery and their derivatives with respect to the variables."""
     values = dict(zip(golfer.variables, map(float, at), strict=True))
     launched = (*VELOCITY, *SPIN)
-    with without_warnings(RangeWarning):  # the shots themselves warn
+    with without_warnings(RangeWarning):  # the shots themselves give the warning
         derivatives = sensitivity(
             setup.club, values, model=setup.model, parameters=setup.parameters,
             ball=getattr(setup.ball, "rigid", setup.ball), accuracy=setup.accuracy,
@@ -148,13 +145,13 @@ def _gradients(at: Floats, golfer: Golfer, setup: ImpactSetup) -> tuple[dict[str
 
 
 COUNT = 2**10
-"""Shots for each set of variables, unless given."""
+"""Default number of shots per set of variables."""
 ORDERS = 32
-"""Orders in which variables become known, half of them the others reversed; all orders where they are as few."""
+"""Maximum number of orders of the variables; if there are more, half are random and half are their reverses."""
 CORRELATED = 1e-9
 Places = NDArray[np.intp]
 Function = Callable[[Floats], Floats]
-"""Outcomes, shape (outcomes, n), of values of the variables, shape (k, n)."""
+"""Maps values of the variables, shape (k, n), to outcomes, shape (outcomes, n)."""
 Progress = Callable[[int, int], object]
 
 
@@ -166,11 +163,11 @@ class Indices(NamedTuple):
     kind
         "sobol" or "shapley".
     variables
-        The variables, those that do not vary left out.
+        The variables that vary.
     share
         By outcome: first-order indices or Shapley effects, shape (k,).
     total
-        By outcome: total indices, shape (k,); for Shapley effects the same as ``share``.
+        By outcome: total indices, shape (k,); equal to ``share`` for Shapley effects.
     """
 
     kind: str
@@ -188,22 +185,22 @@ def indices(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Indices:
-    """Return the shares of the variables by sampling.
+    """Return each variable's share of the variance, by sampling.
 
     Parameters
     ----------
     golfer
-        The golfer, of the club's hand.
+        The golfer, for the club's hand.
     setup
-        How shots are hit.
+        Equipment, model and conditions.
     outcomes
-        Quantities of launch or flight. One that does not vary has shares of NaN.
+        Launch or flight quantities. One that does not vary has shares of NaN.
     count
-        Shots for each variable or set of variables, a power of two.
+        Shots per variable or set of variables, a power of two.
     seed
-        Of the quasi-random numbers.
+        Seed of the quasi-random numbers.
     progress
-        For Shapley effects: called with the number of orders of the variables done and that of all.
+        For Shapley effects: called with the number of orders of the variables done and the total.
     """
     if not setup.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
         raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
@@ -217,7 +214,7 @@ def indices(
 
     def outcome(values: Floats) -> Floats:
         result = setup({**held, **dict(zip(names, values, strict=True))})
-        # A shot without a result tells nothing: it counts as the mean of the others.
+        # A shot without a result counts as the mean of the others, which adds no variance.
         rows = [result[name] for name in outcomes]
         return np.stack([np.where(np.isfinite(row), row, np.nanmean(row)) for row in rows])
 
@@ -232,10 +229,10 @@ def indices(
 
 
 def indices_by_derivatives(derivatives: ByDerivatives, outcomes: Sequence[str] = ("carry", "side")) -> Indices:
-    """Return the Shapley effects of the outcome that gradient and curvature at the mean describe, in closed form.
+    """Return the Shapley effects of the quadratic approximation at the mean, in closed form.
 
-    The variables u explain of the covariance of a normal distribution C_u = C[:, u] C[u, u]^-1 C[u, :], and the
-    expectation of the outcome given them the variance g' C_u g + tr(H C_u H C_u) / 2.
+    The variables u explain the part C_u = C[:, u] C[u, u]^-1 C[u, :] of a normal distribution's covariance; the
+    conditional expectation of the outcome has the variance g' C_u g + tr(H C_u H C_u) / 2.
     """
     golfer = derivatives.golfer
     varies = np.flatnonzero(golfer.spread > 0.0)
@@ -249,22 +246,22 @@ def indices_by_derivatives(derivatives: ByDerivatives, outcomes: Sequence[str] =
             curved = second @ known
             return np.array([slope @ known @ slope + 0.5 * np.trace(curved @ curved)])
 
-        effects[name] = _effects_of_all(variance, len(varies))[0]
+        effects[name] = _effects_over_all_orders(variance, len(varies))[0]
     names = tuple(golfer.variables[place] for place in varies)
     return Indices("shapley", names, effects, effects)
 
 
 def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed: int) -> tuple[Floats, Floats]:
-    """Return first-order and total indices, each of shape (outcomes, k), of independent, normal variables.
+    """Return first-order and total indices, each of shape (outcomes, k), of independent normal variables.
 
-    They are those of ``scipy.stats.sobol_indices`` (Saltelli and others, 2010), from (k + 2) ``count`` evaluations.
+    Uses ``scipy.stats.sobol_indices`` (Saltelli and others, 2010) with (k + 2) ``count`` evaluations.
     """
     from scipy.stats import norm, sobol_indices
 
     _check_power(count)
     normal = [norm(loc=at, scale=size) for at, size in zip(mean, spread, strict=True)]
     result = sobol_indices(func=function, n=count, dists=normal, rng=np.random.default_rng(seed))
-    # scipy drops an axis of one variable.
+    # scipy drops the axis of a single variable.
     first, total = (np.reshape(each, (-1, len(mean))) for each in (result.first_order, result.total_order))
     return first, total
 
@@ -272,10 +269,10 @@ def sobol(function: Function, mean: Floats, spread: Floats, *, count: int, seed:
 def shapley(
     function: Function, mean: Floats, covariance: Floats, *, count: int, seed: int, progress: Progress | None = None
 ) -> Floats:
-    """Return the Shapley effects, shape (outcomes, k), of jointly normally distributed variables.
+    """Return the Shapley effects, shape (outcomes, k), of jointly normal variables.
 
-    The variance of the expectation given some variables is the covariance of the outcome with that of a second shot,
-    which shares them and has the others drawn anew as they go with those.
+    The variance of the conditional expectation given some variables is the covariance between the outcomes of two shots
+    that share these variables, with the others drawn independently from their conditional distribution.
     """
     from scipy.special import ndtri
 
@@ -306,7 +303,7 @@ def shapley(
 def _effects(
     variance: Callable[[int], Floats], size: int, orders: Sequence[Sequence[int]], progress: Progress | None
 ) -> Floats:
-    """Return the effects as the mean over orders of what each variable adds; ``variance`` takes a set as bits."""
+    """Return the mean over orders of the variance each variable adds; ``variance`` takes a set of variables as bits."""
     result = []
     for number, order in enumerate(orders, start=1):
         subset, before, added = 0, variance(0), np.empty((size, len(variance(0))))
@@ -321,7 +318,7 @@ def _effects(
     return np.mean(result, axis=0) / variance(2**size - 1)[:, None]
 
 
-def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
+def _effects_over_all_orders(variance: Callable[[int], Floats], size: int) -> Floats:
     """Return the effects over all orders, from the variance of every set of variables."""
     every = np.array([variance(subset) if subset else np.zeros_like(variance(1)) for subset in range(2**size)])
     members = np.array([subset.bit_count() for subset in range(2**size)])
@@ -334,7 +331,7 @@ def _effects_of_all(variance: Callable[[int], Floats], size: int) -> Floats:
 
 
 def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) -> Floats:
-    """Return deviations that share the variables ``inside`` with ``away`` and are drawn anew in the others."""
+    """Return deviations that keep the variables ``inside`` of ``away`` and redraw the others conditionally."""
     outside = np.setdiff1d(np.arange(len(away)), inside)
     result = away.copy()
     across = covariance[np.ix_(outside, inside)] @ np.linalg.inv(covariance[np.ix_(inside, inside)])
@@ -344,7 +341,7 @@ def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) ->
 
 
 def _explained_covariance(covariance: Floats, inside: Places) -> Floats:
-    """Return the part of the covariance that the variables ``inside`` explain, C_u, of the shape of the whole."""
+    """Return C_u, the part of the covariance explained by the variables ``inside``, with the shape of the whole."""
     across = covariance[:, inside]
     return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
 

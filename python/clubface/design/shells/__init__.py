@@ -1,4 +1,4 @@
-"""The design of heads of shells: a fast model proposes, finite elements dispose."""
+"""Design of shell heads: a fast model proposes, finite elements decide."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""What is known of a head of shells: without a run, by a fast model, and by finite elements.
+"""Quantities of a shell head: from its mesh alone, from a fast model, and from finite elements.
 
-The fast model has the rigid head of a coarse mesh, and a plate for the face: a clamped circular plate of the face's
-area (Timoshenko and Woinowsky-Krieger 1959, section 19). Its stiffness under a force in the middle gives the
-characteristic time, which the model `response` turns into a launch. The plate is a poor face by itself: the sphere also
-moves body and edge. What counts is how it changes with the walls.
+The fast model combines the rigid head of a coarse mesh with a clamped circular plate of the face's area (Timoshenko and
+Woinowsky-Krieger 1959, section 19). The plate's stiffness under a central force gives the characteristic time, which
+the model `response` turns into a launch. On its own the plate is a poor face, since the sphere also moves body and
+edge; what matters is how it changes with the walls.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ from clubface.support.fingerprint import fingerprint
 
 
 def on_face(head: ShellHead) -> NDArray[Any]:
-    """Tell which shells are of the face, shape (shells,)."""
+    """Return which shells belong to the face, shape (shells,)."""
     return np.isin(head.part_of_elements(), list(face_parts(head).values()))
 
 
 def rigid_values(head: ShellHead) -> dict[str, float]:
-    """Return mass, mass of the walls, inertia about the vertical, place of the CG, volume and size of a head [SI].
+    """Return mass, wall mass, inertia about the vertical, CG position, volume and size of a head [SI].
 
-    The nodes lie on the middle of the walls; volume and size are those of the outside, half a wall farther out. An open
+    Nodes lie on the mid-surface of the walls; volume and size refer to the outside, half a wall farther out. An open
     head has no volume.
     """
     area = np.linalg.norm(area_vectors(head.nodes, head.quads), axis=1)
@@ -69,15 +69,15 @@ def rigid_values(head: ShellHead) -> dict[str, float]:
 
 
 SHAPES = round(Settings.duration / INTERVAL) + 1
-"""Times at which the stress of the hardest impact is looked at: as often as ``fem head --impact-speed`` does."""
+"""Number of times at which the stress of the hardest impact is evaluated, as in ``fem head --impact-speed``."""
 
 Task = tuple[str, int]
 
 
 class Engine:
-    """Judges designs by finite elements, several runs at a time, and keeps each run that has finished.
+    """Evaluates designs by finite elements, several runs at a time, and keeps every finished run.
 
-    ``runs`` is how many runs the judgements took, those that were found in the store among them.
+    ``runs`` counts the runs, including those found in the store.
     """
 
     def __init__(self, study: ShellStudy, kept: Finished, workers: int | None) -> None:
@@ -85,7 +85,7 @@ class Engine:
         self.runs = 0
 
     def __call__(self, designs: Sequence[Head]) -> list[dict[str, float]]:
-        """Return the quantities of designs [SI]; all are NaN where a run failed."""
+        """Return the quantities of designs [SI]; all are NaN if one of its runs failed."""
         study = self._study
         tasks: list[Task] = [("time", 0), *(("shot", place) for place in range(len(study.delivery.points)))]
         if study.hardest is not None:
@@ -100,10 +100,10 @@ class Engine:
 
         job = Job("runs", points, compute, lambda point: f"{names[point[0]]} {point[1][0]} {point[1][1]}")
         values = run_job(job, partial(in_threads, workers=self._workers), store=self._kept)
-        return [_together(head, [values[number, task] for task in tasks]) for number, head in enumerate(heads)]
+        return [_merge_runs(head, [values[number, task] for task in tasks]) for number, head in enumerate(heads)]
 
     def _run(self, head: ShellHead, task: Task, going: Progress, threads: int) -> dict[str, float]:
-        """Return what one run finds; empty if it failed."""
+        """Return the quantities from one run; empty if it failed."""
         study, (kind, place) = self._study, task
         try:
             if kind == "time":
@@ -126,13 +126,13 @@ class Engine:
 
 
 def face_stress(impact: Any, head: ShellHead) -> dict[str, float]:
-    """Return the greatest stress of von Mises in the face [Pa], on either side, over the shapes that a run kept."""
+    """Return the peak von Mises stress in each part of the face [Pa], over both sides and all saved times."""
     stress, parts = impact.head_fields.von_mises, head.part_of_elements()
     return {name: float(stress[:, parts == number].max()) for name, number in face_parts(head).items()}
 
 
-def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
-    """Return all quantities: means of the shots, the greatest stress of the hardest impacts."""
+def _merge_runs(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
+    """Return all quantities: means over the shots, and the greatest stress of the hardest impacts."""
     collected: dict[str, list[float]] = {}
     for quantities in runs:
         for name, value in quantities.items():
@@ -143,15 +143,15 @@ def _together(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]
 
 
 SHARE = 2.0 * math.acos(0.9)
-"""Phase of a half swing that lies outside 5% and 95% of the change of speed [rad]."""
+"""Phase of a half oscillation outside the range from 5% to 95% of the speed change [rad]."""
 PATCH, CONTACT = 0.012, 450e-6
-"""Usual radius of the ball's patch [m] and time of contact [s] in the hardest impact."""
+"""Typical contact patch radius [m] and contact time [s] of the hardest impact."""
 LONGEST = 400e-6
-"""Most that a plate's characteristic time is taken for [s]: the launch of slower faces is not known."""
+"""Upper limit on the plate's characteristic time [s], as the launch from slower faces is unknown."""
 
 
 class FastModel:
-    """Tells the quantities of designs without finite elements."""
+    """Evaluates designs without finite elements."""
 
     def __init__(self, study: ShellStudy) -> None:
         self._study = study
@@ -185,13 +185,13 @@ def _launch(study: ShellStudy, club: Club, struck: FaceImpact) -> Any:
 
 
 def face_radius(head: ShellHead) -> float:
-    """Return the radius of a circle with the area of the face [m]."""
+    """Return the radius [m] of the circle with the face's area."""
     areas = np.linalg.norm(area_vectors(head.nodes, head.quads[on_face(head)]), axis=1)
     return math.sqrt(float(areas.sum()) / math.pi)
 
 
 def plate_time(wall: FaceWall, head: ShellHead) -> float:
-    """Return the characteristic time of a plate of the mean thickness of the face under the steel sphere [s]."""
+    """Return the characteristic time [s] of a plate with the face's mean thickness, struck by the steel sphere."""
     metal, radius = wall.metal, face_radius(head)
     bending = metal.youngs * wall.mean**3 / (12.0 * (1.0 - metal.poisson**2))
     stiffness = 16.0 * math.pi * bending / radius**2
@@ -201,7 +201,7 @@ def plate_time(wall: FaceWall, head: ShellHead) -> float:
 
 
 def plate_stress(wall: FaceWall, head: ShellHead, force: float) -> float:
-    """Return the bending stress in the middle of a clamped plate under a force spread over the ball's patch [Pa]."""
+    """Return the bending stress [Pa] at the centre of a clamped plate under a force spread over the contact patch."""
     ratio = face_radius(head) / PATCH
     moment = force * (1.0 + wall.metal.poisson) / (4.0 * math.pi) * (math.log(ratio) + 0.25 / ratio**2)
     return 6.0 * moment / wall.centre**2

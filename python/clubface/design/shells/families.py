@@ -1,4 +1,4 @@
-"""Families of heads: what a study may vary of the head that it starts from, and the heads that follow."""
+"""Families of heads: the variables a study may change in its starting head, and the resulting heads."""
 
 from __future__ import annotations
 
@@ -25,25 +25,24 @@ from clubface.support.checks import check_choice, check_names, without_warnings
 from clubface.support.files import input_file
 
 MOST_CHOICES = 50
-"""Choices of metals that a study may have: each is a search by itself."""
+"""Maximum number of metal choices in a study; each takes a separate search."""
 
 
 SCALED = ("crown", "sole", "skirt")
-"""Walls that a head makes thicker or thinner to meet its mass, unless they are variables."""
+"""Walls scaled to meet the target mass, unless they are variables."""
 ELEMENTS = (12, 6, 8)
-"""Most elements of the coarse mesh of a driver: it weighs the head within 0.1%, and takes a third of the time of the
-usual one."""
+"""Maximum numbers of elements of a driver's coarse mesh: its mass is within 0.1%, in a third of the usual time."""
 Head = DriverHead | MeshHead
 
 
 @dataclass(frozen=True, kw_only=True)
 class NamedMetal:
-    """A metal by name, with where its figures are from.
+    """A named metal and the source of its properties.
 
     Attributes
     ----------
     groups
-        The groups of a mesh that may be of it, all of them together; none for all that no other metal names.
+        Groups of a mesh to which it may be assigned, all together; empty for all groups that no other metal names.
     """
 
     name: str
@@ -54,34 +53,34 @@ class NamedMetal:
 
 @dataclass(frozen=True, kw_only=True)
 class MetalChoice:
-    """What a head is made of: the metal of each group.
+    """One assignment of metals to the groups of a head.
 
     Attributes
     ----------
     name
-        What the choice is called in tables.
+        Name in tables.
     metals
-        The metal of each group whose metal is chosen; under "" that of all others.
+        Metal by group; the key "" stands for all other groups.
     """
 
     name: str
     metals: Mapping[str, NamedMetal]
 
     def of_group(self, group: str) -> NamedMetal | None:
-        """Return the metal of a group; None where the head keeps its own."""
+        """Return the metal of a group; None if the head keeps its own."""
         return self.metals.get(group, self.metals.get(""))
 
 
 def elastic(metal: Metal) -> Metal:
-    """Return a metal that does not yield."""
+    """Return the metal without yielding."""
     return replace(metal, yield_stress=None, hardening=None, points=None)
 
 
 def metal_choices(metals: Sequence[NamedMetal], groups: Sequence[str]) -> tuple[MetalChoice, ...]:
-    """Return all ways to make a head of metals; without any, that of its own metals.
+    """Return all combinations of metals for a head; without ``metals``, only the head's own.
 
-    Metals that name the same ``groups`` of a mesh are alternatives for these, and those that name none for all others;
-    a head of one metal has no groups. A group that is unknown or has two lists of metals is an ``InputError``.
+    Metals with the same ``groups`` are alternatives for them; metals without groups are alternatives for all others. A
+    head of one metal has no groups. An unknown group, or one with two lists of metals, raises an ``InputError``.
     """
     if not metals:
         return (MetalChoice(name="that of the head", metals={}),)
@@ -110,7 +109,7 @@ def metal_choices(metals: Sequence[NamedMetal], groups: Sequence[str]) -> tuple[
 
 
 def mesh_shells(head: Head) -> ShellHead:
-    """Return the mesh of a head; refuse one of solid elements."""
+    """Return the shell mesh of a head; raise an error if its elements are solids."""
     made = head.mesh()
     if not isinstance(made, ShellHead):
         raise InputError("head", head.name, "a head of shells: the walls of a mesh of solids cannot vary")
@@ -118,7 +117,7 @@ def mesh_shells(head: Head) -> ShellHead:
 
 
 class FaceWall(NamedTuple):
-    """A wall of the face as a plate: its metal, its mean thickness, and that at the face centre [m]."""
+    """A part of the face as a plate: metal, mean thickness, and thickness at the face centre [m]."""
 
     metal: Metal
     mean: float
@@ -126,18 +125,18 @@ class FaceWall(NamedTuple):
 
 
 class Family(ABC):
-    """The heads that a study may judge.
+    """The heads a study can choose from.
 
-    A variable has the name of its table in the file of the head, a point, and its own, such as "thickness.crown".
+    A variable is named after its table and key in the head's file, such as "thickness.crown".
 
     Attributes
     ----------
     start
-        The mesh of the head to start from.
+        Mesh of the starting head.
     variables
-        What may vary, by table: what one is called, and the names.
+        By table: the word for one variable, and their names.
     groups
-        Groups that may be of different metals; none of a head that is of one metal.
+        Groups that may have different metals; empty for a head of one metal.
     """
 
     start: ShellHead
@@ -146,23 +145,23 @@ class Family(ABC):
 
     @abstractmethod
     def value(self, head: Any, name: str) -> float:
-        """Return what a head has of a variable [SI]."""
+        """Return a head's value of a variable [SI]."""
 
     @abstractmethod
     def vary(self, values: Mapping[str, float], choice: MetalChoice) -> Head:
-        """Return the head with other values of variables [SI], of metals that stay elastic."""
+        """Return the head with new values of variables [SI] and elastic metals."""
 
     @abstractmethod
     def finish(self, judged: Any, choice: MetalChoice) -> Head:
-        """Return a head that was judged as its file shall have it: of metals that yield."""
+        """Return an evaluated head as it goes into a file, with metals that yield."""
 
     @abstractmethod
     def check(self, head: Any) -> None:
-        """Refuse a head that cannot be meshed, by an ``InputError``."""
+        """Raise an ``InputError`` for a head that cannot be meshed."""
 
     @abstractmethod
     def coarse(self, head: Any) -> ShellHead:
-        """Return a mesh that weighs the head within 0.1%, made quickly."""
+        """Return a mesh that is quick to make and gives the mass within 0.1%."""
 
     @abstractmethod
     def face_wall(self, head: Any, meshed: ShellHead, part: str) -> FaceWall:
@@ -170,15 +169,15 @@ class Family(ABC):
 
     @abstractmethod
     def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
-        """Return name and metal of a part of the start, with its yield stress."""
+        """Return name and metal, with its yield stress, of a part of the starting head."""
 
     def files(self) -> dict[str, str]:
-        """Return fingerprints of files that the head is made from besides its own, by what each is called."""
+        """Return fingerprints, by name, of the other files that the head's file uses."""
         return {}
 
 
 class DriverFamily(Family):
-    """Drivers from a few dimensions, which keep their targets."""
+    """Parametric drivers that keep their mass targets."""
 
     def __init__(self, head: DriverHead, varied: Mapping[str, Any]) -> None:
         self._head = head
@@ -221,7 +220,7 @@ class DriverFamily(Family):
 
 
 class MeshFamily(Family):
-    """Heads of one mesh of shells, whose groups have other walls and metals, and other added masses."""
+    """Heads of one shell mesh with different wall thicknesses, metals and added masses."""
 
     def __init__(self, head: MeshHead, varied: Mapping[str, Any]) -> None:
         self._head = head
@@ -232,15 +231,15 @@ class MeshFamily(Family):
         for name in varied:
             table, _, key = name.partition(".")
             if table == "thickness" and key in self.groups:
-                self._check_even(key)
+                self._check_uniform(key)
 
-    def _rows(self, group: str) -> NDArray[Any]:
-        """Tell which elements are of a group."""
+    def _group_elements(self, group: str) -> NDArray[Any]:
+        """Return which elements belong to a group."""
         return np.array([self._group[part.name] == group for part in self.start.parts])[self.start.part_of_elements()]
 
-    def _check_even(self, group: str) -> None:
-        """Refuse a thickness that cards of the mesh fix for each element."""
-        walls = self.start.thickness[self._rows(group)]
+    def _check_uniform(self, group: str) -> None:
+        """Raise an error if the mesh file sets the group's thickness element by element."""
+        walls = self.start.thickness[self._group_elements(group)]
         if np.ptp(walls) > 0.0:
             least, most = (units.show(float(each), "mm") for each in (walls.min(), walls.max()))
             message = f"give the group one thickness in the file of the head: cards of the mesh fix {least} to {most}"
@@ -251,7 +250,7 @@ class MeshFamily(Family):
         if table == "masses":
             return head.masses[key][3]
         given = next(group.thickness for group in head.groups if group.name == key)
-        return float(self.start.thickness[self._rows(key)][0]) if given is None else given
+        return float(self.start.thickness[self._group_elements(key)][0]) if given is None else given
 
     def vary(self, values: Mapping[str, float], choice: MetalChoice) -> MeshHead:
         groups = tuple(
@@ -272,7 +271,7 @@ class MeshFamily(Family):
             return elastic(chosen.metal)
         if isinstance(group.metal, Metal):
             return elastic(group.metal)
-        # What the file of the head leaves to cards of the mesh stays with them.
+        # Properties left to the mesh file stay there.
         return {key: value for key, value in group.metal.items() if key not in ("yield_stress", "hardening", "points")}
 
     def finish(self, judged: MeshHead, choice: MetalChoice) -> MeshHead:
@@ -286,26 +285,26 @@ class MeshFamily(Family):
         _ = self.coarse(head).club
 
     def coarse(self, head: MeshHead) -> ShellHead:
-        # The mesh is read once; what its nodes carry beyond their metal changes as the places of masses have it.
+        # The mesh is read only once; added masses are redistributed to its nodes.
         start = self.start
         thickness, parts, carried = start.thickness.copy(), [], start.added
         for group in head.groups:
-            rows = self._rows(group.name)
+            rows = self._group_elements(group.name)
             thickness[rows] = start.thickness[rows] if group.thickness is None else group.thickness
         metals = {group.name: group.metal for group in head.groups}
         for part in start.parts:
             given = metals[self._group[part.name]]
             parts.append(replace(part, metal=given if isinstance(given, Metal) else elastic(part.metal)))
         if head.masses:
-            carried = start.added + self._carried(head, thickness, parts) - self._carried_at_start
+            carried = start.added + self._masses_at_nodes(head, thickness, parts) - self._start_masses_at_nodes
         return replace(start, thickness=thickness, parts=tuple(parts), added=carried)
 
     @cached_property
-    def _carried_at_start(self) -> NDArray[Any]:
-        return self._carried(self._head, self.start.thickness, self.start.parts)
+    def _start_masses_at_nodes(self) -> NDArray[Any]:
+        return self._masses_at_nodes(self._head, self.start.thickness, self.start.parts)
 
-    def _carried(self, head: MeshHead, thickness: NDArray[Any], parts: Any) -> NDArray[Any]:
-        """Return what nodes carry of the added masses of a head [kg]."""
+    def _masses_at_nodes(self, head: MeshHead, thickness: NDArray[Any], parts: Any) -> NDArray[Any]:
+        """Return the share of a head's added masses at each node [kg]."""
         start = self.start
         density = np.array([part.metal.density for part in parts])[start.part_of_elements()]
         walls = np.linalg.norm(area_vectors(start.nodes, start.quads), axis=1) * thickness * density
@@ -334,13 +333,13 @@ class MeshFamily(Family):
 
 
 def face_parts(head: ShellHead) -> dict[str, int]:
-    """Return the parts of the face by the name of their greatest stress: "stress", or "stress.NAME" of several."""
+    """Return the parts of the face by the name of their peak stress: "stress", or "stress.NAME" if several."""
     faces = {part.name: number for number, part in enumerate(head.parts) if part.face}
     return {"stress" if len(faces) == 1 else f"stress.{name}": number for name, number in faces.items()}
 
 
 def family_of(head: Head, varied: Mapping[str, Any]) -> Family:
-    """Return the family of a head; ``varied`` are the variables by name, which it must have."""
+    """Return the family of a head; raise an error if it lacks one of the variables ``varied``."""
     family = DriverFamily(head, varied) if isinstance(head, DriverHead) else MeshFamily(head, varied)
     for name in varied:
         table, _, key = name.partition(".")

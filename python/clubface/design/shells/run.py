@@ -1,4 +1,4 @@
-"""A search for the best head of shells from start to end: for every metal a search, then the best head; its result."""
+"""The complete search for the best shell head: one search per choice of metals, the best head, and the result."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SYMBOLS = {"start": "s", "neighbour": "^", "proposal": "o"}
 
 
 def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float]) -> str:
-    """Return the broken limits with the values that break them, in words."""
+    """Return a description of the violated limits and the values that violate them."""
     parts = []
     for name, (least, most) in limits.items():
         value, quantity = values[name], design_quantity(name)
@@ -46,7 +46,7 @@ def broken(limits: Mapping[str, tuple[float, float]], values: Mapping[str, float
 
 @dataclass(frozen=True, kw_only=True)
 class Search:
-    """The search for the best head of one choice of metals: the choice, its goal, and what was found."""
+    """The search for the best head with one choice of metals."""
 
     metal: MetalChoice
     goal: Goal
@@ -54,7 +54,7 @@ class Search:
 
     @property
     def start(self) -> Step:
-        """The head to start from."""
+        """The starting head."""
         return self.result.steps[0]
 
     @property
@@ -70,18 +70,18 @@ class Search:
 
 @dataclass(frozen=True, kw_only=True)
 class Improved(Described):
-    """What a study found.
+    """The result of a shell head study.
 
     Attributes
     ----------
     study
         The study.
     searches
-        One for every choice of metals.
+        One search per choice of metals.
     chosen
-        The search with the best head.
+        The search that found the best head.
     head
-        The best head, as in its file: of metals with their yield stress.
+        The best head as in its file, with the yield stress of its metals.
     runs
         Number of finite element runs that judged the designs.
     """
@@ -93,7 +93,7 @@ class Improved(Described):
     runs: int
 
     def best_value(self, name: str) -> float:
-        """Return a variable of the best head as its file has it [SI]."""
+        """Return the best head's value of a variable, as in its file [SI]."""
         return self.study.family.value(self.head, name)
 
     def to_result(self) -> Result:
@@ -128,27 +128,26 @@ def improve(
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Improved:
-    """Find the best head of a study: a fast model proposes heads, finite elements judge them.
+    """Find the best head of a study: a fast model proposes heads, finite elements evaluate them.
 
     Parameters
     ----------
     study
-        What may change, what is best, and within which limits; or its file.
+        Variables, objective and limits, or the file with them.
     output
-        The TOML file to which the best head is written. Next to it, in a folder, every run is kept that has finished,
-        until the study ends.
+        TOML file for the best head. Finished runs are kept in a folder next to it until the study ends.
     resume
-        Whether an interrupted run of another study is an error; otherwise it is started over. An interrupted run of the
-        same study goes on in either case.
+        Whether finding the interrupted run of a different study is an error; otherwise the search starts over. An
+        interrupted run of the same study always resumes.
     workers
-        Number of runs at a time; if left out, one for each core.
+        Number of runs at a time; default one per core.
     progress
-        Called with the number of designs that were judged and the most that will be.
+        Called with the number of designs evaluated and the maximum.
 
     Raises
     ------
     RunError
-        The head to start from cannot be run, or no head within the limits was found.
+        The starting head cannot be run, or no head within the limits was found.
     """
     if not isinstance(study, ShellStudy):
         study = read(study)
@@ -172,9 +171,9 @@ def improve(
             raise RunError(
                 f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {advice}"
             )
-        head = study.family.finish(_as_written(study, np.array(chosen.best.place), chosen.metal), chosen.metal)
+        head = study.family.finish(_round_trip_head(study, np.array(chosen.best.place), chosen.metal), chosen.metal)
         if output is not None:
-            # The models that take the head as rigid learn from this line how its face gives.
+            # Models with rigid heads need this line to know how springy the face is.
             time = chosen.best.values["characteristic_time"]
             text = head_text(head, characteristic_time=time, folder=Path(output).parent)
             kept.write_result(Path(output), lambda file: file.write(text.encode()))
@@ -182,8 +181,8 @@ def improve(
         return Improved(study=study, searches=searches, chosen=chosen, head=head, runs=engine.runs)
 
 
-def _as_written(study: ShellStudy, place: Floats, metal: MetalChoice) -> Head:
-    """Return the head at a place as its file has it, so that what is judged is what is written."""
+def _round_trip_head(study: ShellStudy, place: Floats, metal: MetalChoice) -> Head:
+    """Return the head at a place after a round trip through its file, so that the head evaluated is the one written."""
     made = from_text(head_text(study.at(place, metal)))
     assert isinstance(made, Head)
     return made
@@ -206,7 +205,7 @@ def _search(
     try:
         result = trust_region_search(
             lambda place: fast(study.at(place, metal)),
-            lambda places: engine([_as_written(study, place, metal) for place in places]),
+            lambda places: engine([_round_trip_head(study, place, metal) for place in places]),
             study.start(), goal, radius=study.radius, most=study.designs, neighbours=study.neighbours, progress=count,
         )  # fmt: skip
     except RunError as error:
@@ -223,7 +222,7 @@ def ordered(names: Iterable[str]) -> list[str]:
 
 
 def _best_table(improved: Improved) -> Table:
-    """Return variables and quantities of the head to start from and of the best one."""
+    """Return variables and quantities of the starting and the best head."""
     start, best = improved.chosen.start.values, improved.chosen.best.values
     rows = [(name, improved.study.start_value(name), improved.best_value(name)) for name in improved.study.bounds]
     rows += [(name, start[name], best[name]) for name in ordered(best)]
@@ -237,7 +236,7 @@ def _best_table(improved: Improved) -> Table:
 
 
 def _limits_table(improved: Improved) -> Table:
-    """Return every limit with what start and best have of it, and the verdict."""
+    """Return every limit with the values of the starting and the best head, and the verdict."""
     rows = [(search, name) for search in improved.searches for name in search.goal.limits]
     ends = [search.goal.limits[name] for search, name in rows]
     kinds = [design_quantity(name) for _, name in rows]
@@ -263,7 +262,7 @@ def verdict(value: float, least: float, most: float) -> str:
 
 
 def _metals_table(improved: Improved, *, printed: bool) -> Table:
-    """Return the best head of every metal."""
+    """Return the best head for each choice of metals."""
     sources = [dict.fromkeys(each.source for each in search.metal.metals.values() if each.source)
                for search in improved.searches]  # fmt: skip
     objective = design_quantity(improved.study.objective)
@@ -281,13 +280,13 @@ def _metals_table(improved: Improved, *, printed: bool) -> Table:
 
 
 def _least_yield(study: ShellStudy, search: Search) -> float | None:
-    """Return the least yield stress of the face; None where none is given."""
+    """Return the lowest yield stress in the face; None if none is given."""
     metals = [study.family.metal(part.name, search.metal)[1] for part in study.family.start.parts if part.face]
     return min((each.yield_stress for each in metals if each.yield_stress is not None), default=None)
 
 
 def _designs_table(improved: Improved) -> Table:
-    """Return every design that the engine judged: what was promised, what was found, and what became of it."""
+    """Return every design evaluated: predicted and computed quantities, and whether it was accepted."""
     objective = improved.study.objective
     steps = [(search, place, step) for search in improved.searches for place, step in enumerate(search.result.steps, 1)]
     beyond = [search.goal.violation(step.values) for search, _, step in steps]
@@ -345,7 +344,7 @@ def _notes(improved: Improved) -> Iterator[Note]:
 
 
 def search_picture(improved: Improved) -> Picture:
-    """Return the objective of every design, promised and found, and what it has of each limit."""
+    """Return the objective of every design, predicted and computed, and its values relative to the limits."""
     return Picture(
         "search", "Every design that finite elements judged", [[_objective_panel(improved), _shares_panel(improved)]],
         height=4.2, legend=True,

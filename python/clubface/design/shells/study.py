@@ -1,4 +1,4 @@
-"""Studies of heads of shells: what may change, what is best, within which limits; and their TOML files.
+"""Studies of shell heads: variables, objective and limits, and their TOML files.
 
 A study::
 
@@ -90,17 +90,17 @@ QUANTITIES = {
     "heel_to_toe": ("heel to toe", "mm"),
     "sole_to_crown": ("sole to crown", "mm"),
 }
-"""What a design has: words and unit."""
+"""Quantities of a design: label and unit."""
 LIMITED = {name: each for name, each in QUANTITIES.items() if name != "stress"}
-"""What may have limits in a file."""
+"""Quantities that may have limits in a file."""
 DIGITS = {"mph": 2, "yd": 1, "us": 1, "MPa": 0, "g": 1, "g cm2": 0, "cm3": 1, "mm": 3, "deg": 2}
-"""Digits after the point, by unit."""
+"""Decimal places, by unit."""
 OBJECTIVES = {"ball_speed": True, "carry": True, "characteristic_time": True, "wall_mass": False}
-"""What may be best, and whether it shall be large."""
+"""Objectives, and whether each is maximised."""
 
 
 def unit_of(variable: str) -> str:
-    """Return the unit that people write a variable in."""
+    """Return the usual unit of a variable."""
     return "deg" if variable == "shape.loft" else "g" if variable.startswith("masses.") else "mm"
 
 
@@ -120,18 +120,18 @@ def design_quantity(name: str) -> Quantity:
 
 @dataclass(frozen=True, kw_only=True)
 class FaceImpact:
-    """A delivery, and where on the face it strikes: distances to the toe and above the face centre [m]."""
+    """A delivery and its impact points on the face: distances towards the toe and above the face centre [m]."""
 
     delivery: Mapping[str, ValueLike]
     points: tuple[tuple[float, float], ...] = ((0.0, 0.0),)
 
     def at(self, point: tuple[float, float]) -> dict[str, Any]:
-        """Return the delivery at one of the points."""
+        """Return the delivery with one of the points as its impact point."""
         return {**self.delivery, "toe": point[0], "high": point[1]}
 
 
 def show(name: str, value: float) -> str:
-    """Return a variable in words."""
+    """Return a value of a variable as text with its unit."""
     return units.show(value, unit_of(name))
 
 
@@ -144,7 +144,7 @@ POINTS = Items(
 FACE_IMPACT = Record(
     {**{name: each for name, each in DELIVERED.items() if name not in ("toe", "high")}, "points": POINTS}
 )
-"""A delivery; ``points`` say where it strikes."""
+"""A delivery with its impact ``points``."""
 VARIABLE_TABLES = {
     "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
     "masses": Record(Interval(PhysicalValue("g", lower=0), '["0 g", "12 g"]')),
@@ -157,14 +157,14 @@ LIMITS = Record({
 
 
 def _head(named: Any) -> Head:
-    """Return the design of a head, by a built-in name or from a file."""
+    """Return the design of a head from a built-in name or a file."""
     path = path_of("head of finite elements", named, FOLDER)
     head = from_toml(path)
     if not isinstance(head, Head):
         raise InputError("head", head.name, 'of the kind "driver" or "mesh", whose walls can vary')
     if isinstance(head, MeshHead):
         with without_warnings():
-            meshed(path)  # the errors of a mesh name the file of its head
+            meshed(path)  # reports errors in the mesh under the name of the head's file
     return head
 
 
@@ -172,7 +172,7 @@ METAL = {key: entries(Metal)[key] for key in ("youngs", "poisson", "density", "y
 
 
 def _made_metal(values: dict[str, Any], place: Place) -> NamedMetal:
-    """Return the metal of a table [[metals]], with its name and source."""
+    """Return the metal described by a table [[metals]]."""
     metal = Metal(**{each.attribute: values.pop(key) for key, each in METAL.items() if key in values})
     return NamedMetal(metal=metal, **values)
 
@@ -184,7 +184,7 @@ METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), ma
 
 @dataclass(frozen=True, kw_only=True)
 class _Asked:
-    """What a study and its file share."""
+    """Keys common to a study and its file."""
 
     title: str = file_key(TEXT, "for tables")
     head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
@@ -205,41 +205,41 @@ class _Asked:
 
 @dataclass(frozen=True, kw_only=True)
 class ShellStudy(_Asked):
-    """What may change, what is best, and within which limits.
+    """Variables, objective and limits of a search for the best shell head.
 
     Attributes
     ----------
     title
-        Its name in tables.
+        Name in tables.
     head
-        The head to start from: a driver from dimensions, or a mesh of shells.
+        The starting head: a parametric driver, or a mesh of shells.
     bounds
-        The least and the greatest value [SI] of what varies, under its name with that of its table. Of a driver these
-        are walls and dimensions of :class:`.DriverHead`, such as "thickness.face_centre"; crown, sole and skirt that
-        vary are not scaled to meet the mass. Of a mesh they are the thickness of groups, such as "thickness.face", and
-        added masses, such as "masses.weight".
+        Lower and upper bound [SI] of each variable, by table and name. For a driver these are walls and dimensions of
+        :class:`.DriverHead`, such as "thickness.face_centre"; crown, sole and skirt are not scaled to meet the mass if
+        they are variables. For a mesh they are thicknesses of groups, such as "thickness.face", and added masses, such
+        as "masses.weight".
     objective
         One of :data:`OBJECTIVES`.
     delivery
-        The delivery of ball speed and carry; their mean over the points counts.
+        Delivery for ball speed and carry, which are averaged over its points.
     hardest
-        The hardest impact, whose stress the face must stand; None to leave the stress out.
+        The hardest impact the face must withstand; None to ignore stress.
     metals
-        The metals to choose from, of a mesh by group; without any, that of the head.
+        Metals to choose from, for a mesh by group; if empty, the head keeps its own.
     safety
         Factor by which the yield stress is divided.
     limits
-        The least and the greatest value [SI] of :data:`QUANTITIES`, 0 and infinity where there is none.
+        Lower and upper limit [SI] of each of :data:`QUANTITIES`; 0 and infinity for none.
     rules
-        Whether the limits of the rules of golf, with their tolerances, hold as well.
+        Whether the limits of the rules of golf, with their tolerances, apply as well.
     ball
-        The ball of finite elements.
+        The finite element ball.
     designs
-        How many designs the engine may judge, for each metal.
+        Maximum number of designs evaluated by finite elements, for each choice of metals.
     radius
-        Half the width of the first region of trust, as a share of the bounds.
+        Half the width of the initial trust region, as a share of the bounds.
     neighbours
-        Whether the engine judges neighbours of the start first.
+        Whether neighbours of the starting head are evaluated first.
     """
 
     bounds: Mapping[str, tuple[float, float]]
@@ -256,7 +256,7 @@ class ShellStudy(_Asked):
             raise InputError("safety", self.safety, "1 to 10")
         if not 0.01 <= self.radius <= 1.0:
             raise InputError("radius", self.radius, "0.01 to 1, a share of the bounds")
-        choices = self.choices  # checks metals before heads are made of them
+        choices = self.choices  # checks the metals before heads are made of them
         for name, (least, most) in self.bounds.items():
             own = self.start_value(name)
             if not least < most:
@@ -277,7 +277,7 @@ class ShellStudy(_Asked):
         self._check_heads()
 
     def _check_limits(self) -> None:
-        """Refuse a mass that no head has, and a volume where it is not known."""
+        """Raise an error for an impossible mass limit, or a volume limit on an open mesh."""
         shown = {name: ["none" if each in (0.0, math.inf) else units.show(each, QUANTITIES[name][1]) for each in ends]
                  for name, ends in self.limits.items()}  # fmt: skip
         if isinstance(self.head, DriverHead):
@@ -289,7 +289,7 @@ class ShellStudy(_Asked):
             raise InputError("limits.volume", shown["volume"], "left out: the mesh is open and has no volume")
 
     def _check_heads(self) -> None:
-        """Refuse bounds at which there is no head, and impacts that miss the face, before anything runs."""
+        """Raise an error for bounds without a valid head and for impacts that miss the face, before anything runs."""
         with without_warnings():
             for name, bounds in self.bounds.items():
                 for value in bounds:
@@ -309,33 +309,33 @@ class ShellStudy(_Asked):
 
     @cached_property
     def family(self) -> Family:
-        """The heads that follow from the bounds."""
+        """The family of heads within the bounds."""
         return family_of(self.head, self.bounds)
 
     @cached_property
     def choices(self) -> tuple[MetalChoice, ...]:
-        """What the head may be made of: each choice is searched by itself."""
+        """Choices of metals, each of which gets its own search."""
         return metal_choices(self.metals, self.family.groups)
 
     def start_value(self, name: str) -> float:
-        """Return what the head to start from has of a variable [SI]."""
+        """Return the starting head's value of a variable [SI]."""
         return self.family.value(self.head, name)
 
     def start(self) -> Floats:
-        """Return the head to start from, as shares of the bounds."""
+        """Return the starting head's variables as shares of the bounds."""
         return np.array([(self.start_value(name) - low) / (high - low) for name, (low, high) in self.bounds.items()])
 
     def variables(self, place: Floats) -> dict[str, float]:
-        """Return the variables [SI] of shares of the bounds."""
+        """Return the variables [SI] from shares of the bounds."""
         return {name: low + float(share) * (high - low)
                 for share, (name, (low, high)) in zip(place, self.bounds.items(), strict=True)}  # fmt: skip
 
     def at(self, place: Floats, choice: MetalChoice, own: Mapping[str, float] | None = None) -> Head:
-        """Return the head at a place within the bounds, of metals that stay elastic."""
+        """Return the head at a place within the bounds, with elastic metals; ``own`` overrides variables [SI]."""
         return self.family.vary({**self.variables(place), **(own or {})}, choice)
 
     def goal(self, choice: MetalChoice) -> Goal:
-        """Return what is best, and all limits that hold for a choice of metals."""
+        """Return the objective and all limits for a choice of metals."""
         limits, head = dict(self.limits), self.family.start
         if self.rules:
             for rule in rules_of(head.club):
@@ -352,7 +352,7 @@ class ShellStudy(_Asked):
 
 @dataclass(frozen=True, kw_only=True)
 class ShellFile(_Asked):
-    """A file of a study of a head of shells."""
+    """A study file for a shell head."""
 
     golfer: Golfer | None = file_key(Reference(golfer_of), "golfer whose mean delivery is used instead", default=None)
     variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what may change, within bounds")
@@ -392,7 +392,7 @@ class ShellFile(_Asked):
 
 
 def _delivered(given: Mapping[str, Any]) -> dict[str, float]:
-    """Return the values of a delivery [SI], without points."""
+    """Return the delivery values [SI] without the points."""
     values = {name: each for name, each in given.items() if name != "points"}
     if values:
         Delivery(**{"speed": "40 m/s", **values})
@@ -400,7 +400,7 @@ def _delivered(given: Mapping[str, Any]) -> dict[str, float]:
 
 
 def read(path: str | os.PathLike[str]) -> ShellStudy:
-    """Read a study; files that it names are looked for next to it."""
+    """Read a study; the files it names are relative to its folder."""
     return from_document(Document.read(path))
 
 

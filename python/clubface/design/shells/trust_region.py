@@ -1,8 +1,8 @@
-"""A trust-region search with two models: a fast one, corrected, proposes, and an exact one accepts or refuses.
+"""A trust-region search with two models: a corrected fast model proposes, an exact model accepts or rejects.
 
-The framework is that of Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected so that it agrees
-with the exact one at the best design; the slopes of the correction come from exact neighbours of the start and are kept
-up to date after Broyden (1965). All quantities are positive, and everything is relative: corrections are factors.
+The framework is due to Alexandrov, Dennis, Lewis and Torczon (1998). The fast model is corrected to agree with the
+exact one at the best design; the slopes of the correction come from neighbours of the starting design and are updated
+by Broyden's method (1965). All quantities are positive and corrections are factors, so everything is relative.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ from clubface.support.arrays import Floats
 Values = dict[str, float]
 """The quantities of a design by name, all positive."""
 PENALTY = 10.0
-"""Weight of the largest relative violation against the relative change of the objective. No limit of a head is worth
-more to its objective: 1% of characteristic time is worth 0.1% of ball speed."""
+"""Weight of the largest relative violation against a relative change of the objective. It exceeds what any limit of a
+head gains: 1% of characteristic time gains 0.1% of ball speed."""
 
 
 Fast = Callable[[Floats], Values]
 INSIDE = 5e-4
-"""How far inside of a limit a proposal aims, relatively: on the limit, the error of the fast model would break it."""
+"""Relative distance inside a limit at which proposals aim; on the limit itself, model error would violate it."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Goal:
-    """What is best, and within which limits.
+    """Objective and limits of a search.
 
     Attributes
     ----------
     objective
         Name of a quantity.
     largest
-        Whether it shall be large; otherwise small.
+        Whether it is maximised; otherwise minimised.
     limits
-        The least and the greatest value of quantities, by name; 0 and infinity where there is none.
+        Lower and upper limits of quantities, by name; 0 and infinity for none.
     """
 
     objective: str
@@ -48,11 +48,11 @@ class Goal:
     limits: Mapping[str, tuple[float, float]]
 
     def cost(self, values: Values) -> float:
-        """Return the logarithm of the objective, or minus it if it shall be large: smaller is better."""
+        """Return the logarithm of the objective, negated if it is maximised: smaller is better."""
         return (-1.0 if self.largest else 1.0) * math.log(values[self.objective])
 
     def excess(self, values: Values) -> Floats:
-        """Return by how much every limit is broken, relatively; negative where it is kept."""
+        """Return the log ratio by which each limit is exceeded; negative inside it."""
         result = []
         for name, (least, most) in self.limits.items():
             if least > 0.0:
@@ -62,36 +62,36 @@ class Goal:
         return np.array(result)
 
     def violation(self, values: Values) -> float:
-        """Return the largest relative excess over a limit; 0 within all, infinity for a design that failed."""
+        """Return the largest relative violation of a limit; 0 within all limits, infinity for a failed design."""
         if not all(math.isfinite(value) for value in values.values()):
             return math.inf
         return max(0.0, *self.excess(values)) if self.limits else 0.0
 
     def merit(self, values: Values) -> float:
-        """Return cost and weighted violation."""
+        """Return the cost plus the weighted violation."""
         violation = self.violation(values)
         return self.cost(values) + PENALTY * violation if violation < math.inf else math.inf
 
     def better(self, one: Values, other: Values) -> bool:
-        """Tell whether ``one`` is the better design: first within limits, then by the objective."""
+        """Return whether ``one`` is the better design: within limits first, then by the objective."""
         if self.violation(other) == 0.0:
             return self.violation(one) == 0.0 and self.cost(one) < self.cost(other)
         return self.violation(one) == 0.0 or self.merit(one) < self.merit(other)
 
 
 class Correction:
-    """Factors by which the fast model is multiplied: exact at one place, with slopes."""
+    """Factors, linear in log space, that make the fast model agree with the exact one at one place."""
 
     def __init__(self, names: Sequence[str], place: Floats, ratio: Floats) -> None:
         self.names, self._place, self._ratio = tuple(names), place, ratio
         self._slope = np.zeros((len(ratio), len(place)))
 
     def set_slope(self, place: Floats, ratio: Floats, variable: int) -> None:
-        """Take the slope along one variable from a neighbour."""
+        """Set the slope along one variable from a neighbour."""
         self._slope[:, variable] = (ratio - self._ratio) / (place - self._place)[variable]
 
     def learn(self, place: Floats, ratio: Floats, *, move: bool) -> None:
-        """Make it exact at another place too, by the least change of slopes; ``move``: make that the place."""
+        """Match another place too, by Broyden's smallest change of slopes; ``move`` makes it the reference place."""
         away = place - self._place
         missed = ratio - self._ratio - self._slope @ away
         if away @ away > 0.0:
@@ -100,15 +100,15 @@ class Correction:
             self._place, self._ratio = place, ratio
 
     def __call__(self, place: Floats, fast: Values) -> Values:
-        """Return the values of the fast model at a place, corrected."""
+        """Return the corrected values of the fast model at a place."""
         factors = np.exp(self._ratio + self._slope @ (place - self._place))
         return {name: fast[name] * float(factor) for name, factor in zip(self.names, factors, strict=True)}
 
 
 def propose(fast: Fast, correction: Correction, place: Floats, radius: float, goal: Goal) -> tuple[Floats, Values]:
-    """Return the best design of the corrected fast model near a place, and what it promises.
+    """Return the best design of the corrected fast model near a place, and its predicted values.
 
-    A slack lets limits be broken at a price, so that a start outside them has a way back.
+    A slack variable allows violations at a price, so that the search can start outside the limits.
     """
     from scipy.optimize import minimize
 
@@ -141,19 +141,19 @@ def propose(fast: Fast, correction: Correction, place: Floats, radius: float, go
 Exact = Callable[[Sequence[Floats]], list[Values]]
 
 LEAST_GAIN = 1e-4
-"""A proposal that promises a smaller relative gain is not worth a run."""
+"""Relative gain below which a proposal is not worth a run."""
 LEAST_RADIUS = 0.004
 FAR, NEAR = 0.08, 0.03
-"""How far neighbours are away, as shares of the range of each variable: of the start, and of what may be the best."""
-AGAIN = 0.1
-"""Half the width of the region of trust, at least, once slopes are fresh."""
+"""Distance of neighbours, as a share of each variable's range: at the start, and at what may be the optimum."""
+RENEWED_RADIUS = 0.1
+"""Minimum half width of the trust region after slopes are renewed."""
 GOOD, POOR = 0.75, 0.25
-"""Shares of a promised gain from which the region of trust grows, and below which it shrinks."""
+"""Shares of the predicted gain above which the trust region grows, and below which it shrinks."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
-    """One design that the exact model judged.
+    """One design evaluated by the exact model.
 
     Attributes
     ----------
@@ -162,11 +162,11 @@ class Step:
     kind
         "start", "neighbour" or "proposal".
     values, promised
-        The quantities by the exact model, and those that the corrected fast model promised (of a proposal).
+        Quantities from the exact model and, for a proposal, those predicted by the corrected fast model.
     accepted
         Whether it became the best design.
     radius
-        Half the width of the region in which it was sought.
+        Half the width of the trust region.
     """
 
     place: tuple[float, ...]
@@ -179,12 +179,12 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class SearchResult:
-    """What a search found.
+    """The result of a search.
 
     Attributes
     ----------
     steps
-        All designs that the exact model judged, in their order.
+        All designs evaluated by the exact model, in order.
     best
         Index of the best one.
     ended
@@ -206,25 +206,25 @@ def trust_region_search(
     ----------
     fast, exact
         The models. Both take variables as shares of their ranges, 0 to 1, and return positive quantities by name. The
-        exact one takes several designs at once; one that fails has values that are NaN.
+        exact model takes several designs at once; the values of a failed design are NaN.
     start
-        The design to start from.
+        The starting design.
     goal
-        What is best.
+        Objective and limits.
     radius
-        Half the width of the first region of trust.
+        Half the width of the initial trust region.
     most
-        Number of designs that the exact model may judge.
+        Maximum number of designs the exact model evaluates.
     neighbours
-        Whether it judges a neighbour along each variable, of the start and of the design where the search would end, so
-        that the correction has their slopes. Without, a search may end where only its own way was known.
+        Whether it evaluates a neighbour along each variable, at the start and where the search would end, to give the
+        correction its slopes. Otherwise a search may stop too early, as slopes are known only along its own path.
     progress
-        Called with the number of designs that were judged and the number of those allowed.
+        Called with the number of designs evaluated and the maximum.
 
     Raises
     ------
     RunError
-        The design to start from fails.
+        The starting design fails.
     """
     return _Search(fast, exact, goal, radius, most, progress).run(np.asarray(start, float), neighbours)
 
@@ -250,29 +250,29 @@ class _Search:
         values = self._exact([start])[0]
         if self._goal.violation(values) == math.inf:
             raise RunError("the design to start from fails")
-        self._note(start, "start", values, None)
+        self._record_step(start, "start", values, None)
         self._correction = Correction(self._names, start, self._ratio(start, values))
-        if neighbours and self._can_look_round(start):
-            self._look_round(start, FAR)
+        if neighbours and self._can_evaluate_neighbours(start):
+            self._evaluate_neighbours(start, FAR)
         looked = neighbours
         while len(self._steps) < self._most:
             place, values = self._place, self._values
             proposed, promised = propose(self._fast, self._correction, place, self._radius, self._goal)
             gain = self._goal.merit(values) - self._goal.merit(promised)
             if gain >= LEAST_GAIN and self._radius >= LEAST_RADIUS:
-                looked = self._judge(proposed, promised, gain) and looked
+                looked = self._evaluate_proposal(proposed, promised, gain) and looked
                 continue
-            # Slopes that were learnt on the way are true along it alone: look round before believing them.
-            if not neighbours or looked or not self._can_look_round(place):
+            # Slopes learnt on the way hold only along the path, so evaluate neighbours before relying on them.
+            if not neighbours or looked or not self._can_evaluate_neighbours(place):
                 ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
                 break
-            self._look_round(place, NEAR)
-            self._radius, looked = max(self._radius, AGAIN), True
+            self._evaluate_neighbours(place, NEAR)
+            self._radius, looked = max(self._radius, RENEWED_RADIUS), True
         else:
             ended = f"{self._most} designs were judged, as many as allowed"
         return SearchResult(steps=tuple(self._steps), best=self._best, ended=ended)
 
-    def _note(self, place: Floats, kind: str, values: Values, promised: Values | None) -> bool:
+    def _record_step(self, place: Floats, kind: str, values: Values, promised: Values | None) -> bool:
         accepted = not self._steps or self._goal.better(values, self._values)
         self._steps.append(
             Step(
@@ -290,25 +290,25 @@ class _Search:
         guessed = self._fast(at)
         return np.array([math.log(judged[name] / guessed[name]) for name in self._names])
 
-    def _can_look_round(self, place: Floats) -> bool:
+    def _can_evaluate_neighbours(self, place: Floats) -> bool:
         return len(self._steps) + len(place) <= self._most
 
-    def _look_round(self, place: Floats, far: float) -> None:
-        """Let the exact model judge a neighbour along each variable, from which the slopes of the correction follow."""
+    def _evaluate_neighbours(self, place: Floats, far: float) -> None:
+        """Evaluate a neighbour along each variable with the exact model, and set the slopes of the correction."""
         others = np.tile(place, (len(place), 1))  # each on the side with more room
         others += np.diag(np.where(place <= 0.5, far, -far))
         for variable, (at, judged) in enumerate(zip(others, self._exact(list(others)), strict=True)):
-            self._note(at, "neighbour", judged, None)
+            self._record_step(at, "neighbour", judged, None)
             if self._goal.violation(judged) < math.inf:
                 self._correction.set_slope(at, self._ratio(at, judged), variable)
         if not np.array_equal(self._place, place):
             self._correction.learn(self._place, self._ratio(self._place, self._values), move=True)
 
-    def _judge(self, proposed: Floats, promised: Values, gain: float) -> bool:
-        """Let the exact model judge a proposal, learn from it, and return whether it failed, so that slopes stay."""
+    def _evaluate_proposal(self, proposed: Floats, promised: Values, gain: float) -> bool:
+        """Evaluate a proposal with the exact model, learn from it, and return whether it failed."""
         place, merit = self._place, self._goal.merit(self._values)
         judged = self._exact([proposed])[0]
-        accepted = self._note(proposed, "proposal", judged, promised)
+        accepted = self._record_step(proposed, "proposal", judged, promised)
         kept = (merit - self._goal.merit(judged)) / gain
         far = float(np.abs(proposed - place).max())
         if math.isfinite(kept):
