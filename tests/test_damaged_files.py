@@ -123,10 +123,10 @@ def test_a_damaged_coordinate_of_a_mesh_is_named_by_its_line(tmp_path, write, na
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("\n5 ", "\n1e9 ", "not a number of a node"),
-        ("\n5 ", "\n1000000000 ", "not a number of a node"),
-        ("$Nodes\n667\n", "$Nodes\n667000000\n", "says that it has 667000000 lines, but has 667"),
-        ("142 144 145 143", "142 144 145 9999", "has the node 9999, which does not exist"),
+        ("\n5 ", "\n1e9 ", "number of a node"),
+        ("\n5 ", "\n1000000000 ", "number of a node"),
+        ("$Nodes\n667\n", "$Nodes\n667000000\n", "667000000 lines, but has 667"),
+        ("142 144 145 143", "142 144 145 9999", "node 9999, which does not exist"),
     ],
 )
 def test_a_damaged_number_of_a_mesh_is_named_by_its_line(tmp_path, write, old, new, words):

@@ -206,14 +206,14 @@ def test_the_metals_of_cards_give_the_system_of_units(tmp_path, unit, scale, met
 
 def test_a_card_of_no_metal_is_refused(tmp_path):
     walls = coarse_walls()._replace(cards={each: (wall, 1.14, 0.34, 4.43e-9) for each, wall in WALLS.items()})
-    with pytest.raises(FileError, match=r"M-face: E 1.14 and density 4.43e-09 are those of no metal"):
+    with pytest.raises(FileError, match=r"M-face: E 1.14 and density 4.43e-09"):
         read(write_walls(tmp_path, walls), tuple(Group(name=each, face=each == "face") for each in PARTS))
 
 
 def test_cards_that_differ_are_noted_and_the_file_of_the_head_counts(tmp_path):
     walls = coarse_walls()._replace(cards=dict.fromkeys(PARTS, (1.0, *TITANIUM)))
     groups = (Group(name="face", thickness="2 mm", face=True, metal={"youngs": "200 GPa"}), *GROUPS[1:])
-    with pytest.warns(MeshWarning, match=r"face 1 mm there, 2 mm here.*youngs of face 114 GPa there, 200 GPa here"):
+    with pytest.warns(MeshWarning, match=r"face 1 mm in the mesh, 2 mm .*youngs of face: 114 GPa in the mesh, 200 GPa"):
         head = read(write_walls(tmp_path, walls), groups)
     assert head.thickness[0] == 2e-3
     assert head.parts[0].metal.youngs == 200e9
@@ -259,7 +259,7 @@ def test_a_deck_that_clubface_writes_is_read_back(tmp_path):
     case, path = shells_case(), tmp_path / "own.k"
     fem.keyword.write(case, path)
     groups = tuple(Group(name=part.name, face=part.face) for part in case.club.parts)
-    with pytest.warns(MeshWarning, match="left out, as no group without a thickness names them: .* hexahedra"):
+    with pytest.warns(MeshWarning, match="left out, .* hexahedra"):
         head = read(path, groups, unit="m", loft=0.0)
     assert head.elements == case.club.elements
     assert head.club.mass == pytest.approx(case.club.club.mass, rel=1e-6)
@@ -359,7 +359,7 @@ def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
     ]
     text = text.replace("*NODE", line + "*NODE", 1) if form != "nastran" else text.replace("GRID", line + "GRID", 1)
     (tmp_path / "head.dat").write_text(text)
-    with pytest.raises(FileError, match="another one, which is not read"):
+    with pytest.raises(FileError, match="includes another"):
         read(tmp_path / "head.dat")
 
 
@@ -367,12 +367,12 @@ def test_an_included_file_is_not_left_out_without_a_word(tmp_path, form):
     ("name", "old", "new", "message"),
     [
         ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=C3D4", "the elements of this mesh are solid"),
-        ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=XYZ9", "the type XYZ9 are not read"),
-        ("free.bdf", "GRID,7,,", "GRID,7,3,", "node 7 stands in the coordinate system 3"),
+        ("abaqus.inp", "*ELEMENT, TYPE=S4R", "*ELEMENT, TYPE=XYZ9", "the type XYZ9"),
+        ("free.bdf", "GRID,7,,", "GRID,7,3,", "node 7 is in coordinate system 3"),
         ("dyna.k", "*KEYWORD", "*KEYWORD LONG=Y", "long or i10 format"),
         ("dyna.k", "*KEYWORD", "*KEYWORD I10=Y", "long or i10 format"),
-        ("abaqus.inp", "*NODE,", "*SYSTEM\n0, 0, 10\n*NODE,", "*SYSTEM is not read"),
-        ("abaqus.inp", "*ELSET, ELSET=nothing", "*ELGEN\n1, 2, 1, 1", "*ELGEN is not read"),
+        ("abaqus.inp", "*NODE,", "*SYSTEM\n0, 0, 10\n*NODE,", "*SYSTEM is not"),
+        ("abaqus.inp", "*ELSET, ELSET=nothing", "*ELGEN\n1, 2, 1, 1", "*ELGEN is not"),
         ("abaqus.inp", "NSET=ALLNODES", "INPUT=nodes.txt", "includes another one"),
         ("free.bdf", "BEGIN BULK", "BEGIN BULK\nGRDSET,,3", "coordinate system 3"),
         ("free.bdf", "CQUAD4,1,1,142,144,145,143", "CQUAD4,1,1,142,144,145,143,,,\n,,1,.5,.5,.5,.5", "TFLAG"),
@@ -497,9 +497,9 @@ def test_parts_of_lsdyna_without_titles_go_by_their_numbers(tmp_path):
 @pytest.mark.parametrize(
     ("name", "old", "new", "note"),
     [
-        ("dyna.k", r"MAT_ELASTIC", "MAT_JOHNSON_COOK", r"not read: \*MAT 1 of face; .* taken as of titanium"),
-        ("small.nas", r"MAT1    1 ", "MAT8    1 ", "not read: MAT 1 of face; taken as of titanium"),
-        ("abaqus.inp", r"ELASTIC\n", "ELASTIC, TYPE=LAMINA\n", "no card gives youngs or poisson of face; taken"),
+        ("dyna.k", r"MAT_ELASTIC", "MAT_JOHNSON_COOK", r"\*MAT 1 of face; .* titanium"),
+        ("small.nas", r"MAT1    1 ", "MAT8    1 ", "MAT 1 of face; .*titanium"),
+        ("abaqus.inp", r"ELASTIC\n", "ELASTIC, TYPE=LAMINA\n", "no card gives youngs or poisson of face; .*titanium"),
         ("abaqus.inp", r"SECTION,", "SECTION, OFFSET=SPOS,", "4 sections have an offset"),
         ("dyna.k", r"(    1.6000){4}", r"\1\1\1\1      -1.0", "1 sections have an offset"),
         ("small.nas", r"(PSHELL  1 .*)\n", r"\g<1>                        1.0-8\n", "spread over the wall"),

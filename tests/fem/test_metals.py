@@ -113,7 +113,7 @@ def test_metals_read_their_values():
         ('yield = "800 MPa"\n', "", "hardening"),
         ('hardening = "1 GPa"', 'hardening = "-1 GPa"', "zero or above"),
         ('hardening = "1 GPa"', 'hardening = [[0, "900 MPa"]]', "the stress of the first point of hardening"),
-        ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0.1, "700 MPa"]]', "stresses above 0 that do not fall"),
+        ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0.1, "700 MPa"]]', "do not decrease"),
         ('hardening = "1 GPa"', 'hardening = [[0, "800 MPa"], [0, "900 MPa"]]', "begin at 0 and increase"),
         ('hardening = "1 GPa"', 'hardening = {gain = "1 MPa"}', "give rate as well"),
         ('hardening = "1 GPa"', 'hardening = {modulos = "1 GPa"}', "did you mean modulus?"),

@@ -246,7 +246,7 @@ def test_what_no_solid_head_has_is_refused(tmp_path):
     with pytest.raises(FileError, match="shares a side with a hexahedron"):
         read(written("mixed.msh", mixed), "plate", "body")
     path = written("good.msh", {"head": hexahedra})
-    with pytest.raises(InputError, match="as thick as they are drawn"):
+    with pytest.raises(InputError, match="thickness of head"):
         MeshHead(name="mine", file=path, groups=(Group(name="head", thickness="2 mm", face=True),), **FLAT).mesh()
     with pytest.raises(UnknownNameError):
         read(path, bonds=(Bond(part="insert", to="head"),))

@@ -1,4 +1,4 @@
-"""Heads that deform: shells and solids, from a few dimensions or from your own mesh."""
+"""Deformable heads of shells or solid elements, from a few dimensions or from your own mesh."""
 
 from __future__ import annotations
 

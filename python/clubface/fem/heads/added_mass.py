@@ -1,4 +1,4 @@
-"""Masses added to a head at places."""
+"""Added masses: point masses at given places, spread over nearby nodes of a head."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from clubface.errors import InputError
 from clubface.schema import NAME, PhysicalValue, Place as FilePlace, Record, Tables
 
 SPREAD = 8e-3
-"""Radius about the place of an added mass within which nodes carry it [m], beyond the nearest."""
+"""Nodes carry an added mass if they are at most this much farther from its place than the nearest node [m]."""
 
 REACH = 0.3
-"""Farthest place of an added mass along an axis [m]."""
+"""Limit for the coordinates of an added mass [m]."""
 
 Place = tuple[Any, Any, Any, Any]
-"""x, y, z and mass, text with units or SI."""
+"""x, y, z and mass, as text with units or SI numbers."""
 _COORDINATE = PhysicalValue(
     "mm", -1e3 * REACH, 1e3 * REACH, decimals=4,
     allowed='within 300 mm of the face centre; numbers are metres, "-33 mm" is text',
@@ -27,14 +27,14 @@ _COORDINATE = PhysicalValue(
 
 
 class Places(Tables):
-    """The kind of tables of masses at places, read as places [m] and masses [kg] by name."""
+    """Type of tables of masses at places, read as places [m] and masses [kg] by name."""
 
     def read(self, given: Any, place: FilePlace) -> Any:
-        """Return x, y, z and mass by name."""
+        """Read the tables; return x, y, z and mass by name."""
         return {each.pop("name"): tuple(each.values()) for each in super().read(given, place)}
 
     def check(self, value: Any, place: FilePlace) -> dict[str, Place]:
-        """Return the same of places by name."""
+        """Check places given by name; return x, y, z and mass by name."""
         kinds = {key: kind for key, kind in self.table.keys().items() if key != "name"}
         result = {}
         for name, given in value.items():
@@ -46,45 +46,45 @@ class Places(Tables):
         return result
 
     def rows(self, value: Any) -> list[dict[str, Any]]:
-        """Return the tables."""
+        """Return one table per mass."""
         return [dict(zip(self.table.keys(), (name, *place), strict=True)) for name, place in value.items()]
 
 
 def places(what: str, mass: str, least: float) -> Places:
-    """Return the kind of tables of masses; ``mass`` is the key of each mass, which is at least that many grams."""
+    """Return the type of tables of masses; ``mass`` is the key of each mass, ``least`` its minimum in grams."""
     keys = {"name": NAME, **dict.fromkeys("xyz", _COORDINATE), mass: PhysicalValue("g", least, 500, decimals=4)}
     return Places(Record(keys, keys), what)
 
 
 TRIMS, MASSES = places("trim", "most", 0.01), places("mass", "mass", 0.0)
-"""Masses that may be added, of which one that may weigh nothing is none; and masses that are."""
+"""Masses that may be added up to a maximum, which must be above zero; and masses that are added."""
 MOST_CHANGE = 0.2
-"""Largest part by which the metal of a wall may be made lighter or heavier, so that moments of the head are exact."""
+"""Largest relative change of a wall's metal mass that is made to keep the head's moments exact."""
 TRIES, STEEPEST = 40, 2.0
-"""Newton steps for the shares of nodes, and the most that a step changes the logarithm of one."""
+"""Maximum number of Newton steps for the nodes' fractions of a mass, and the largest change of a logarithm per step."""
 NEGLIGIBLE = 1e-3
-"""Part of a moment of inertia, and a hundredth of it in metres of the CG, below which no note is made."""
+"""Smallest relative error of a moment of inertia that is noted; for the CG, the error in m is a hundredth of it."""
 
 
 class SpreadMass(NamedTuple):
-    """What the nodes carry, and by how much the head misses what points at the places would give it."""
+    """Mass carried by the nodes, and the remaining errors compared with true point masses."""
 
-    added: NDArray[Any]  # of each node beyond its metal [kg]; negative where the metal is made lighter
-    away: float  # how far the CG is off [m]
-    inertia: float  # largest part by which a moment of inertia about the CG is off
+    added: NDArray[Any]  # at each node, beyond its metal [kg]; negative where metal is removed
+    away: float  # error of the CG [m]
+    inertia: float  # largest relative error of a moment of inertia about the CG
 
 
 def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArray[Any], metal: NDArray[Any],
            face: NDArray[Any]) -> SpreadMass:  # fmt: skip
-    """Return what nodes carry so that the head has mass, CG and inertia as if the masses were points at their places.
+    """Spread masses over nodes so that mass, CG and inertia of the head are those with point masses at the places.
 
-    Each mass stands on the nodes nearest to its place. No node lies there, so its moments are a little off; the rest of
-    the head makes up for that: the metal of each node changes by a part that is a quadratic function of its place, at
-    most by ``MOST_CHANGE``. Mass and CG are exact then. The inertia of a mass off the walls is nearly so: nodes of a
-    shell all lie near one quadric, whose moment no distribution over them changes.
+    Each mass goes to the nodes nearest to its place. As no node lies exactly there, its moments are slightly off; the
+    metal of the other nodes is adjusted to compensate, by a fraction that is a quadratic function of position and at
+    most ``MOST_CHANGE``. Mass and CG are then exact. So, nearly, is the inertia, except for a mass off the walls: the
+    nodes of a shell all lie near one quadric, whose moment no distribution over them can change.
 
-    ``places`` are x, y, z [m] and mass [kg] by name, ``nodes`` those of the mesh [m], shape (n, 3), ``metal`` the mass
-    of the metal at each [kg], and ``face`` the nodes of the face, whose metal stays as it is.
+    ``places`` are x, y, z [m] and mass [kg] by name, ``nodes`` the nodes of the mesh [m], shape (n, 3), ``metal`` the
+    metal mass at each [kg], and ``face`` the nodes of the face, whose metal is not changed.
     """
     added = np.zeros(len(nodes))
     points = np.array([place[:3] for place in places.values()]).reshape(-1, 3)
@@ -103,21 +103,21 @@ def spread(places: Mapping[str, tuple[float, float, float, float]], nodes: NDArr
     weighed = moments.T @ (free[:, None] * moments)
     soft = np.array([0.0] * 4 + [1.0] * 6)
     for step in range(-36, 13):
-        # A penalty on what the change is; residuals of the second moments alone may stay.
+        # Penalise the change; only residuals of the second moments may remain.
         allowed = np.diag(soft) * 10.0 ** (step / 4.0) * free.sum()
         part = np.linalg.lstsq(weighed + allowed, asked - added @ moments, rcond=None)[0]
         change = moments @ part
         if np.abs(change[free > 0.0]).max(initial=0.0) <= MOST_CHANGE:
             added = added + free * change
             break
-    return SpreadMass(added, *_missed(metal @ moments + asked, (metal + added) @ moments, size))
+    return SpreadMass(added, *_errors(metal @ moments + asked, (metal + added) @ moments, size))
 
 
 def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
-    """Return the shares of nodes in a mass whose centre is the origin of their ``arms``: the nearest to the usual ones.
+    """Return fractions of a mass for nodes so that its centre is the origin of their ``arms``, close to the usual ones.
 
-    They are those of the greatest entropy relative to ``usual``, by Newton's method; where the origin is not among the
-    nodes, such as off a wall, the usual ones.
+    Newton's method finds the fractions of greatest entropy relative to ``usual``. If the origin is not within the
+    nodes, as for a mass off a wall, the usual fractions are returned.
     """
     usual = usual / usual.sum()
     slope = np.zeros(3)
@@ -135,13 +135,13 @@ def _shares(arms: NDArray[Any], usual: NDArray[Any]) -> NDArray[Any]:
 
 
 def _moments(places: NDArray[Any]) -> NDArray[Any]:
-    """Return 1, x, y, z and the products of two of them at places, shape (n, 10)."""
+    """Return 1, x, y, z and the pairwise products of coordinates for each place, shape (n, 10)."""
     products = [places[:, i] * places[:, j] for i in range(3) for j in range(i, 3)]
     return np.column_stack([np.ones(len(places)), places, *products])
 
 
-def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[float, float]:
-    """Return how far two bodies' CGs are apart [m], and the greatest part by which their moments of inertia differ."""
+def _errors(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[float, float]:
+    """Return the distance between the CGs of two bodies [m] and the largest relative difference in inertia."""
 
     def body(values: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         cg = values[1:4] / values[0]
@@ -154,8 +154,8 @@ def _missed(asked: NDArray[Any], result: NDArray[Any], size: float) -> tuple[flo
     return float(np.linalg.norm(other - cg)), float(np.abs(moved / inertia - 1.0).max())
 
 
-def note_of(result: SpreadMass, negligible: float = NEGLIGIBLE) -> str | None:
-    """Return what to say of masses that are not exact on this mesh."""
+def spread_note(result: SpreadMass, negligible: float = NEGLIGIBLE) -> str | None:
+    """Return a note if the masses are not exact on this mesh, else None."""
     misses = []
     if result.away > 1e-2 * negligible:
         misses.append(f"the CG is {units.fixed(result.away, 'mm', 2)} off")
@@ -163,4 +163,4 @@ def note_of(result: SpreadMass, negligible: float = NEGLIGIBLE) -> str | None:
         misses.append(f"a moment of inertia {100.0 * result.inertia:.2g}% off")
     if not misses:
         return None
-    return f"masses stand on nodes of the mesh, and {' and '.join(misses)}; place them on the walls to have them exact"
+    return f"masses act at nodes of the mesh, so {' and '.join(misses)}; place them on the walls to make them exact"

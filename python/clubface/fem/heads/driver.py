@@ -1,4 +1,4 @@
-"""A parametric hollow driver head: a few dimensions, walls and targets make a mesh of shells; its file."""
+"""Parametric hollow driver head: dimensions, walls and targets define a shell mesh; and its file format."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SHAPES: Mapping[str, PhysicalValue] = {
     "sole": PhysicalValue("mm", 8, 60, decimals=4),
     "rounding": PhysicalValue("mm", 1, 20, decimals=4),
 }
-"""In the order of the core."""
+"""In the core's order."""
 SHAPE = tuple(SHAPES)
 WALLS = ("face_centre", "face_edge", "crown", "sole", "skirt")
 TARGETS: Mapping[str, PhysicalValue] = {
@@ -36,27 +36,27 @@ TARGETS: Mapping[str, PhysicalValue] = {
     **dict.fromkeys(INERTIA, PhysicalValue("g cm2", decimals=4)),
 }
 CLOSE = {"mass": ("g", 1e-4), "length": ("mm", 1e-4), "inertia": ("g cm2", 1e-6)}
-"""The unit in which a target is shown, and how near [SI] it counts as met."""
+"""For each dimension, the unit in which a target is shown and the tolerance [SI] within which it counts as met."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class DriverHead:
-    """The design of a driver head; each value is text with a unit or an SI number.
+    """Design of a driver head; values are text with a unit or SI numbers.
 
     Attributes
     ----------
     shape
         "loft"; "bulge" and "roll", the radii of the face; "width" from heel to toe, "depth" from face to back, "crown"
-        above and "sole" below the face centre; "rounding" between face and body.
+        height above and "sole" depth below the face centre; "rounding" between face and body.
     target
-        "mass", and where wanted "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (height of the CG
+        "mass" and, optionally, "cg_x", "cg_y", "cg_z" (from the CG to the face centre), "cg_above" (height of the CG
         above the face normal at the face centre), and "ixx", "iyy", "izz" about the CG.
     scales
-        Limits of the factor on the thickness of crown, sole and skirt by which the mass is met; the face stays as it
-        is.
+        Limits of the factor by which the thickness of crown, sole and skirt is scaled to meet the mass; the face is not
+        scaled.
     """
 
-    name: str = file_key(NAME, "its name in tables")
+    name: str = file_key(NAME, "name shown in tables")
     description: str = file_key(TEXT, "one sentence", default="")
     elements: tuple[int, int, int] = file_key(
         Items(count(4, 400), 3, 3, "a list of three numbers"),
@@ -65,13 +65,13 @@ class DriverHead:
     )
     scales: tuple[float, float] = file_key(
         Items(PhysicalValue("1", 0.1, 10, allowed="0.1 to 1 and 1 to 10"), 2, 2, "a list of two numbers"),
-        "limits of the factor on crown, sole and skirt by which the mass is met", default=(0.5, 2.0),
+        "limits of the thickness factor on crown, sole and skirt that adjusts the mass", default=(0.5, 2.0),
     )  # fmt: skip
     shape: Mapping[str, float] = file_key(Record(SHAPES, SHAPE), "dimensions")
     thickness: Mapping[str, float] = file_key(
         Record(dict.fromkeys(WALLS, PhysicalValue("mm", decimals=4)), WALLS), "thickness of walls"
     )
-    target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "what the head should have")
+    target: Mapping[str, float] = file_key(Record(TARGETS, ("mass",)), "target mass properties")
     metal: Metal = file_key(Table(Metal), "the metal of all parts", default_factory=Metal)
     trims: Mapping[str, Place] = file_key(TRIMS, "places where mass may be added", default_factory=dict)
 
@@ -82,9 +82,9 @@ class DriverHead:
             raise InputError("scales", self.scales, "0.1 to 1 and 1 to 10")
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the design in the core's format."""
         target = self.target
-        # The target is from the CG to the face centre, the core's from the face centre to the CG.
+        # The target points from the CG to the face centre, the core's vector from the face centre to the CG.
         centre = [None if key not in target else -target[key] for key in CENTRE]
         return {
             "shape": dict(self.shape), "elements": list(self.elements),
@@ -96,7 +96,7 @@ class DriverHead:
         }  # fmt: skip
 
     def mesh(self) -> ShellHead:
-        """Return the meshed head, brought as near to its targets as walls and trim masses allow."""
+        """Mesh the head, as close to its targets as walls and trim masses allow; warn about targets missed."""
         meshed = in_thread(core.fem_driver, self.values())
         report = {"scale": meshed["scale"], **dict(zip(self.trims, meshed["trims"], strict=True))}
         made = ShellHead(
@@ -105,7 +105,7 @@ class DriverHead:
             parts=tuple(Part(name, count, self.metal, name == "face") for name, count in meshed["parts"]),
             report=report, asked=self.target, **{name: self.shape[name] for name in ("loft", "bulge", "roll")},
         )  # fmt: skip
-        # Targets that walls and trim masses do not allow.
+        # Report targets that walls and trim masses cannot meet.
         reached = made.reached
         missed = [
             f"{name} {units.from_si(reached[name], unit):.5g} {unit} instead of {units.from_si(asked, unit):.5g} {unit}"
@@ -114,6 +114,6 @@ class DriverHead:
             if abs(reached[name] - asked) > near
         ]
         if missed:
-            room = "wider `scales` of the walls, or more or larger trims, help"
+            room = "widen the `scales` of the walls, or give more or larger trims"
             warn_once(f"{self.name}: {', '.join(missed)}; {room}", TargetWarning)
         return made

@@ -1,7 +1,7 @@
-"""Whether a mesh lies as its head's file says: axes, loft, radii and centre of the face.
+"""Checks that a mesh agrees with its head's file: axes, loft, radii and centre of the face.
 
-Every other model takes loft, bulge and roll from the file, and finite elements strike the mesh: where these differ, two
-heads would go by one name.
+All other models take loft, bulge and roll from the file, while finite elements use the mesh. If they disagreed, one
+name would stand for two different heads.
 """
 
 from __future__ import annotations
@@ -21,39 +21,39 @@ from clubface.fem.geometry import area_vectors
 from clubface.fem.mesh_files import Mesh
 
 ANGLE = math.radians(1.0)
-"""How far the face normal of a mesh may be from that of the file. A mesh of a curved face with elements of 5 mm leaves
-0.3 degrees open, and a degree of loft is 0.8 degrees of launch."""
+"""Maximum angle between the face normals of mesh and file [rad]. With 5 mm elements the normal of a curved face is
+known to 0.3 degrees, and a degree of loft is 0.8 degrees of launch."""
 AT = 0.02
-"""The radii may differ by as much as turns the normal by that angle at this distance from the face centre [m]."""
+"""Radii may differ by as much as turns the normal by ``ANGLE`` at this distance from the face centre [m]."""
 REACHES = (0.008, 0.01, 0.0125, 0.016, 0.02)
-"""Radii about the face centre [m], of which the first with enough nodes is used: near its edge a face turns into crown
-and sole."""
+"""Radii about the face centre [m] for fitting the face; the first with enough nodes is used. The edges of a face curve
+into crown and sole."""
 ENOUGH = 9
-"""Nodes for a quadric, which has six coefficients."""
+"""Minimum number of nodes for fitting a quadric, which has six coefficients."""
 OFF_CENTRE = 0.25
-"""How far the face centre may be from the middle of the face's outline, in parts of its width or height."""
+"""Largest distance between face centre and middle of the face outline, relative to its width or height."""
 OFF_FACE = 2e-3
-"""How far the face centre may be from the face, beyond a wall [m]."""
+"""Largest distance between face centre and face, beyond the wall thickness [m]."""
 WORDS = {"toe": (2, 1), "heel": (2, -1), "hosel": (2, -1), "crown": (1, 1), "sole": (1, -1), "back": (0, -1)}
-"""Axis and direction in which parts with such names lie, from the middle of the head."""
+"""Axis and direction, from the middle of the head, in which parts with these words in their names lie."""
 DIRECTIONS = ("x must point to the target", "y must point up", "z must point from heel to toe")
 
 
 class Face(NamedTuple):
-    """The face of a mesh about its centre; curvatures are None where the mesh is too coarse."""
+    """Shape of a mesh's face about its centre; curvatures are None if the mesh is too coarse."""
 
     normal: NDArray[Any]  # outward
     bulge: float | None  # curvature along the face [1/m], positive where it is convex
     roll: float | None  # the same up the face
-    height: float  # how far the face is in front of the centre, along the normal [m]
+    height: float  # position of the face in front of the centre, along the normal [m]
 
 
 def measured_face(nodes: NDArray[Any], quads: NDArray[Any], drawn: NDArray[Any]) -> Face:
-    """Return the face about the origin: the normal of its elements there, and a quadric through its nodes.
+    """Return the face about the origin: the normal of its elements there, and a quadric fitted to its nodes.
 
-    ``nodes`` are seen from the face centre [m], ``quads`` are the elements of the face, and ``drawn`` says which nodes
-    are those of the file: what was added at the middle of edges and triangles lies behind a curved face, and would
-    change its radii.
+    ``nodes`` are relative to the face centre [m], ``quads`` are the elements of the face, and ``drawn`` marks the nodes
+    from the file: nodes added at the middle of edges and triangles lie behind a curved face and would falsify its
+    radii.
     """
     corners = nodes[quads]
     area = area_vectors(nodes, quads)
@@ -65,7 +65,7 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any], drawn: NDArray[Any])
     height = float(places[np.argmin(np.linalg.norm(places, axis=1))] @ normal)
     for reach in REACHES:
         fit = Face(normal, None, None, height)
-        for _ in range(2):  # the second time along the normal at the centre
+        for _ in range(2):  # repeat with the fitted normal at the centre
             fit = _quadric(places, fit.normal, reach) if fit is not None else None
         if fit is not None:
             return fit
@@ -73,7 +73,7 @@ def measured_face(nodes: NDArray[Any], quads: NDArray[Any], drawn: NDArray[Any])
 
 
 def _quadric(places: NDArray[Any], normal: NDArray[Any], reach: float) -> Face | None:
-    """Return the quadric through the nodes within a radius about the centre; None where they are too few."""
+    """Fit a quadric to the nodes within a radius about the centre; None if there are too few."""
     up = np.array([0.0, 1.0, 0.0]) - normal[1] * normal
     if np.linalg.norm(up) < 1e-3:
         return None
@@ -94,25 +94,25 @@ def check_frame(
     mesh: Mesh, nodes: NDArray[Any], quads: NDArray[Any], *, drawn: NDArray[Any], loft: float, bulge: float,
     roll: float, wall: float, centre: str, parts: Mapping[str, NDArray[Any]],
 ) -> None:  # fmt: skip
-    """Refuse a mesh whose position disagrees with its head's file.
+    """Raise InputError if a mesh disagrees with its head's file.
 
     Parameters
     ----------
     mesh
-        The file, which takes notes on what is odd.
+        The mesh; receives notes on oddities.
     nodes, quads, drawn
-        As of :func:`measured_face`.
+        As for :func:`measured_face`.
     loft, bulge, roll, centre
-        Of the head's file [rad, m]; the face centre as it is given there.
+        Values in the head's file [rad, m]; the face centre as written there.
     wall
-        Thickness of the face [m].
+        Wall thickness of the face [m].
     parts
-        Places of the nodes of every group and mass, by name.
+        Node positions of every group and added mass, by name.
 
     Raises
     ------
     InputError
-        Loft, bulge, roll or face centre differ, or the axes are others; with both numbers.
+        Loft, bulge, roll or face centre differ, or the axes are different ones; the message gives both values.
     """
     face, file = measured_face(nodes, quads, drawn), os.path.basename(mesh.path)
     expected = np.array([math.cos(loft), math.sin(loft), 0.0])
@@ -122,15 +122,15 @@ def check_frame(
     if abs(elevation - loft) > ANGLE:
         message = (
             f"the loft of the mesh, to 1 deg: the face of {file} has {_degrees(elevation)} at the face centre;"
-            " correct loft or face_centre, or turn the mesh about z until it is soled as at address"
+            " correct loft or face_centre, or rotate the mesh about z until it is soled as at address"
         )
         raise InputError("loft", _degrees(loft), message)
     turned = math.atan2(float(face.normal[2]), float(face.normal[0]))
     if abs(turned) * math.cos(elevation) > ANGLE:
         side = "toe" if turned > 0.0 else "heel"
         message = (
-            f"loft along the target line: the face of {file} looks {_degrees(abs(turned))} to the {side} at the face"
-            " centre, and must look at the target to 1 deg; turn the mesh about y, or correct face_centre"
+            f"loft along the target line: the face of {file} points {_degrees(abs(turned))} to the {side} at the face"
+            " centre, but must point at the target to 1 deg; rotate the mesh about y, or correct face_centre"
         )
         raise InputError("loft", _degrees(loft), message)
     for name, radius, curvature in (("bulge", bulge, face.bulge), ("roll", roll, face.roll)):
@@ -143,7 +143,7 @@ def check_frame(
     if not -OFF_FACE - wall <= face.height <= OFF_FACE:
         side = "in front of" if face.height < 0.0 else "behind"
         away = units.fixed(abs(face.height), "mm", 1)
-        message = f"a place on the outside of the face: it is {away} {side} the face of {file}"
+        message = f"a point on the outside of the face; it lies {away} {side} the face of {file}"
         raise InputError("face_centre", centre, message)
     places = nodes[np.unique(quads)]
     for axis, sides in ((2, ("toe", "heel")), (1, ("top", "bottom"))):
@@ -151,7 +151,7 @@ def check_frame(
         off = -0.5 * (low + high)
         if abs(off) > OFF_CENTRE * (high - low):
             away = f"{units.fixed(abs(off), 'mm', 1)} nearer the {sides[off < 0.0]}"
-            mesh.notes.append(f"face_centre lies {away} than the middle of the face")
+            mesh.notes.append(f"face_centre is {away} than the middle of the face")
 
 
 def _degrees(angle: float) -> str:
@@ -159,7 +159,7 @@ def _degrees(angle: float) -> str:
 
 
 def _check_axes(normal: NDArray[Any], expected: NDArray[Any], file: str) -> None:
-    """Refuse a mesh whose face looks where it should with the axes exchanged or reversed."""
+    """Raise InputError if the face would point the right way with axes exchanged or reversed."""
 
     def apart(direction: NDArray[Any]) -> float:
         return math.acos(max(-1.0, min(1.0, float(direction @ expected))))
@@ -177,8 +177,8 @@ def _check_axes(normal: NDArray[Any], expected: NDArray[Any], file: str) -> None
             axes = ["".join(("-" if sign < 0 else "", "xyz"[axis])) for axis, sign in zip(order, signs, strict=True)]
             what = _described(order, signs)
             message = (
-                f"x to the target, y up and z to the toe: the face of {file} looks along ({_shown(normal)}), where"
-                f" ({_shown(expected)}) is expected; it seems that {what}: write ({', '.join(axes)}) as x, y, z"
+                f"x to the target, y up and z to the toe: the face of {file} points along ({_shown(normal)}), but"
+                f" ({_shown(expected)}) is expected; it seems that {what}; write ({', '.join(axes)}) as x, y, z"
             )
             raise InputError("axes of the mesh", None, message)
 
@@ -190,9 +190,9 @@ def _described(order: Sequence[int], signs: Sequence[float]) -> str:
     if len(moved) == 2:
         words.append(f"{' and '.join('xyz'[each] for each in sorted(moved))} are exchanged")
     elif moved:
-        words.append("the axes are exchanged in a circle")
+        words.append("the axes are cyclically exchanged")
     if reversed_:
-        words.append(f"{' and '.join(reversed_)} {'points' if len(reversed_) == 1 else 'point'} the other way")
+        words.append(f"{' and '.join(reversed_)} {'points' if len(reversed_) == 1 else 'point'} the opposite way")
     return " and ".join(words)
 
 
@@ -201,7 +201,7 @@ def _shown(direction: NDArray[Any]) -> str:
 
 
 def _check_sides(nodes: NDArray[Any], parts: Mapping[str, NDArray[Any]], file: str) -> None:
-    """Refuse a mesh whose parts lie on the other side than their names say, as of a left-handed head."""
+    """Raise InputError if parts lie on the opposite side from their names, as in a left-handed head."""
     middle = 0.5 * (nodes.min(axis=0) + nodes.max(axis=0))
     size = nodes.max(axis=0) - nodes.min(axis=0)
     for name, places in parts.items():
@@ -212,7 +212,7 @@ def _check_sides(nodes: NDArray[Any], parts: Mapping[str, NDArray[Any]], file: s
         off = float(sign * (places.mean(axis=0) - middle)[axis])
         if off < -0.1 * size[axis]:
             more = (
-                '; a left-handed head is given as its mirror image, with z to the toe as well, and hand = "left"'
+                '; give a left-handed head as its mirror image, also with z to the toe, and hand = "left"'
                 if axis == 2
                 else ""
             )

@@ -1,4 +1,4 @@
-"""The groups of a head: which elements of a mesh file belong to which, and their walls and metals."""
+"""Groups of a head: assigning elements of a mesh file to them, and their walls and metals."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, UnknownNameError
+from clubface.errors import InputError, UnknownNameError, Wording
 from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import SOLIDS, Mesh, Wall
 from clubface.schema import FLAG, NAME, TEXT, Items, PhysicalValue, Place, Record, entries
 
 OWN = re.compile(r"gmsh:|Surface\d+$|Volume\d+$|_?(?:PickedSet|All)\d*$|Line\d+$", re.IGNORECASE)
-"""Sets that programs make for themselves."""
+"""Sets that programs create on their own."""
 SHOWN = 12
-"""Sets that a message names."""
+"""Maximum number of sets listed in a message."""
 
 
 GROUP = {
@@ -29,7 +29,7 @@ GROUP = {
     "face": FLAG,
     "sets": Items(TEXT, allowed='a list of names of sets in the mesh, as ["1", "2"]'),
 }
-"""The kinds of what a group has besides the values of its metal."""
+"""Types of a group's keys, besides those of its metal."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,15 +39,15 @@ class Group:
     Attributes
     ----------
     name
-        Its name in the file: a physical group, a set of elements, a part or a property, or the number of one.
+        Name in the mesh file: a physical group, a set of elements, a part or a property, or the number of one.
     thickness
-        Thickness of its shells [m]; None if cards of the mesh give it, and of solid elements.
+        Thickness of its shells [m]; None if the mesh file gives it, and for solid elements.
     metal
-        The metal; or some of its values by name, where cards of the mesh give the others.
+        The metal, or only those values, by name, that the mesh file does not give.
     face
         Whether the ball may touch them.
     sets
-        The sets of the file that belong to it, unless it is the set of its name.
+        Sets of the mesh file that make up the group; default: the set with the group's name.
     """
 
     name: str
@@ -62,22 +62,22 @@ class Group:
                 place = Place(name=key, label="" if key == "name" else self.name)
                 object.__setattr__(self, key, kind.read(value, place))
         if not isinstance(self.metal, Metal):
-            Metal(**self.metal)  # refuses what no metal has
+            Metal(**self.metal)  # raises an error for impossible values
 
 
-def _made_group(values: dict[str, Any], place: Place) -> Group:
-    """Return the group of a table [[groups]], which may give values of its metal next to its own."""
+def _make_group(values: dict[str, Any], place: Place) -> Group:
+    """Return the group of a table [[groups]], whose keys include those of its metal."""
     metal = {each.attribute: values.pop(key) for key, each in entries(Metal).items() if key in values}
     return Group(metal=metal, **values)
 
 
 GROUP_TABLE = Record(
-    {**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",), make=_made_group
+    {**GROUP, **{key: each.value for key, each in entries(Metal).items()}}, ("name",), make=_make_group
 )
 
 
 def group_values(group: Group) -> dict[str, Any]:
-    """Return the table [[groups]] of a group by key, without what it leaves to cards of the mesh."""
+    """Return the table [[groups]] of a group, without values left to the mesh file."""
     given, metal = group.metal, {}
     for key, each in entries(Metal).items():
         value = getattr(given, each.attribute) if isinstance(given, Metal) else given.get(each.attribute)
@@ -88,28 +88,28 @@ def group_values(group: Group) -> dict[str, Any]:
 
 
 def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
-    """Return the place among ``groups`` of the group of each element.
+    """Return the index in ``groups`` of each element's group.
 
-    A group takes the set of its name, or the sets that it lists; sets that no group names do not matter. What is
-    decided beyond that is noted.
+    A group takes the set with its name, or the sets that it lists; other sets are ignored. Further decisions are
+    recorded as notes.
 
     Raises
     ------
     FileError
-        An element belongs to no group or to two, or a group has no element.
+        An element belongs to no group or to two, or a group has no elements.
     """
     if not len(mesh.corners):
-        raise mesh.error("there are no elements of surfaces or solids in this file")
+        raise mesh.error("this file contains no surface or solid elements")
     places = np.full(len(mesh.corners), -1)
     if not any(len(rows) for rows in mesh.sets.values()) and len(groups) == 1:
-        mesh.notes.append(f"the file names no sets of elements: all belong to {groups[0].name!r}")
+        mesh.notes.append(f"the file has no element sets; all elements go to {groups[0].name!r}")
         return np.zeros(len(mesh.corners), dtype=int)
     names = [_sets_of(mesh, group) for group in groups]
     if not any(names) and (numbered := _by_order(mesh, len(groups))):
         order = ", ".join(f"{one} as {group.name}" for one, group in zip(numbered, groups, strict=True))
         mesh.notes.append(
-            f"its sets have numbers and no names; they are taken in the order of [[groups]]: {order};"
-            f' to settle it, write sets = ["{numbered[0]}"] under the group'
+            f"its sets have numbers instead of names and are taken in the order of [[groups]]: {order};"
+            f' to make this explicit, write sets = ["{numbered[0]}"] under the group'
         )
         names = [[each] for each in numbered]
     for place, (group, own) in enumerate(zip(groups, names, strict=True)):
@@ -131,7 +131,7 @@ def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
 
 
 def _sets_of(mesh: Mesh, group: Group) -> list[str]:
-    """Return the sets of a group: under the very name, another of its names, or one that differs in capitals alone."""
+    """Return the sets of a group: by exact name, by another name of the set, or ignoring case if unambiguous."""
     names = []
     for name in group.sets or (group.name,):
         if name not in mesh.sets and name in mesh.aliases:
@@ -152,7 +152,7 @@ def _plain(name: str) -> str:
 
 
 def _by_order(mesh: Mesh, count: int) -> list[str]:
-    """Return sets with numbers for names, if there are as many as wanted and every element is in one of them."""
+    """Return the numbered sets if their count matches and they cover every element exactly once, else an empty list."""
     names = [name for name, rows in mesh.sets.items() if len(rows)]
     if len(names) != count or not all(name.isdecimal() and name not in mesh.aliases.values() for name in names):
         return []
@@ -161,14 +161,14 @@ def _by_order(mesh: Mesh, count: int) -> list[str]:
 
 
 def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> None:
-    """Say which elements belong to no group, and how to give them one."""
+    """Raise the error that says which elements belong to no group, and how to assign them."""
     rest = np.flatnonzero(places < 0)
     holders = {name: int(np.isin(rest, rows).sum()) for name, rows in mesh.sets.items() if not OWN.match(name)}
     holders = {name: count for name, count in holders.items() if count}
     if holders:
         most = max(holders, key=lambda name: holders[name])
         message = str(UnknownNameError("group of the mesh", most, tuple(group.name for group in groups)))
-        advice = f"its {holders[most]} elements need a group: name it under [[groups]], or list it there as sets = [..]"
+        advice = f"its {holders[most]} elements need a group: name it under [[groups]], or list it in sets = [..]"
         raise mesh.error(f"{message}; {advice}; {_listed(mesh)}")
     message = f"element {mesh.ids[rest[0]]} belongs to no group"
     if len(rest) > 1:
@@ -177,7 +177,7 @@ def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> N
 
 
 def _listed(mesh: Mesh) -> str:
-    """Return the sets of a file in words."""
+    """List the sets of a file, for messages."""
     names = [f"{name} ({len(rows)})" for name, rows in mesh.sets.items() if len(rows) and not OWN.match(name)]
     if not names:
         return "it has none"
@@ -186,12 +186,12 @@ def _listed(mesh: Mesh) -> str:
 
 
 def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
-    """Return whether the groups are of the solid elements of a mesh; a note says what is left out otherwise.
+    """Return whether the groups refer to the solid elements of a mesh; if not, note which solids are left out.
 
     Raises
     ------
     InputError
-        A group of solid elements has a thickness.
+        A group of solid elements is given a thickness.
     """
     if (solids := mesh.solids) is None or not len(solids.ids):
         return False
@@ -202,16 +202,16 @@ def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
     if len(mesh.corners) and (thick or not named):
         kinds = Counter(SOLIDS[int(count)] for count in (solids.corners >= 0).sum(axis=1))
         left = " and ".join(f"{count} {kind}" for kind, count in kinds.items())
-        mesh.notes.append(f"left out, as no group without a thickness names them: {left}")
+        mesh.notes.append(f"left out, because no group without thickness names them: {left}")
         return False
     if thick is not None:
-        allowed = "leave it out: the elements of this mesh are solid, and as thick as they are drawn"
+        allowed = "leave it out; the elements of this mesh are solid and have their drawn thickness"
         raise InputError(f"thickness of {thick.name}", units.show(thick.thickness, "mm"), allowed)
     return True
 
 
 class _System(NamedTuple):
-    """A system of units of mesh files: its name, and the sizes of its stress, density and mass in SI."""
+    """A system of units used in mesh files: its name, and its units of stress, density and mass in SI."""
 
     name: str
     stress: float
@@ -230,13 +230,13 @@ SYSTEMS = {
     "in": (_System("psi, lbf s2/in4, lbf s2/in", 6894.757, 1.0686897e7, 175.12684),),
     "m": (),
 }
-"""Systems that go with a unit of length; a file names none, and its metals decide."""
+"""Systems for each unit of length. Files do not name their system; it is inferred from the metals."""
 YOUNGS, DENSITY = (5e9, 6e11), (1e3, 25e3)
-"""What a metal of a head may have [Pa, kg/m3]; a wrong system is off by a thousand."""
+"""Plausible ranges for the metal of a head [Pa, kg/m3]; a wrong system of units is off by a factor of a thousand."""
 MASSES = (2e-4, 0.3)
-"""What the point masses of a file may add up to [kg]."""
+"""Minimum and maximum total point mass in a file [kg]."""
 CLOSE = 0.01
-"""Part by which a value of the head's file may differ from that of a card without a note."""
+"""Relative difference between file and card values above which a note is made."""
 METAL = ("youngs", "poisson", "density")
 _UNITS = {"youngs": "GPa", "density": "kg/m3", "poisson": "1"}
 
@@ -244,13 +244,13 @@ _UNITS = {"youngs": "GPa", "density": "kg/m3", "poisson": "1"}
 def walls(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str) -> tuple[NDArray[Any], list[Metal]]:
     """Return the thickness of each element [m] and the metal of each group.
 
-    What a group gives counts. For the rest the cards of the file do, with the thickness of an element by itself before
-    that of its section. A note is added where the two differ, or where neither gives the metal of a group.
+    Values of a group take precedence. Otherwise they come from the cards of the mesh file, where an element's own
+    thickness takes precedence over its section's. Differences, and groups without a metal in either file, are noted.
 
     Raises
     ------
     InputError
-        A thickness is given nowhere, or a card has values that no metal has in any system of units.
+        A thickness is missing, or a card's values fit no metal in any system of units.
     """
     size = units.parse(f"1 {unit}", "length")
     card = np.full(len(mesh.corners), np.nan)
@@ -266,21 +266,22 @@ def walls(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str
             thickness[own] = group.thickness
             other = by_cards[np.abs(by_cards / group.thickness - 1.0) > CLOSE]
             if len(other):
-                differing.append(f"{group.name} {_range(other)} there, {units.show(group.thickness, 'mm')} here")
+                own_thickness = units.show(group.thickness, "mm")
+                differing.append(f"{group.name} {_range(other)} in the mesh, {own_thickness} in the head's file")
         elif np.isnan(by_cards).any():
-            message = "give it with its unit; the mesh has no card of a thickness for all elements of the group"
+            message = "give it with its unit; the mesh file has no thickness for some elements of the group"
             raise InputError(f"thickness of {group.name}", None, message)
         else:
             thickness[own] = by_cards
         if (by_cards <= 0.0).any():
-            differing.append(f"{group.name} 0 mm there")
+            differing.append(f"{group.name} 0 mm in the mesh")
     return thickness, metals_of(mesh, groups, of_group, unit, differing)
 
 
 def metals_of(
     mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str, differing: Sequence[str] = ()
 ) -> list[Metal]:
-    """Return the metal of each group, as :func:`walls` does; ``differing`` says where cards differ in other values."""
+    """Return the metal of each group, as :func:`walls` does; ``differing`` lists differences found so far."""
     cards = list(mesh.walls.items())
     wall_of = np.full(len(mesh.corners), -1)
     for place, (name, _) in enumerate(cards):
@@ -290,11 +291,11 @@ def metals_of(
         own_walls = [cards[each][1] for each in np.unique(wall_of[of_group == number]) if each >= 0]
         metals.append(_metal(mesh, group, own_walls, unit, differing, unread))
     if differing:
-        mesh.notes.append(f"its cards differ from the head's own file, which counts: {'; '.join(differing)}")
+        mesh.notes.append(f"its cards differ from the head's own file, which takes precedence: {'; '.join(differing)}")
     if unread:
         values = " and ".join(f"{key} {units.show(getattr(Metal(), key), _UNITS[key])}" for key in METAL)
-        missing = f"metals that are not in the file or of a law that is not read: {'; '.join(unread)}"
-        mesh.notes.append(f"{missing}; taken as of titanium where the group does not give it: {values}")
+        missing = f"metals that are missing in the file or use a law that cannot be read: {'; '.join(unread)}"
+        mesh.notes.append(f"{missing}; values not given by the group are those of titanium: {values}")
     return metals
 
 
@@ -306,20 +307,20 @@ def _range(values: NDArray[Any]) -> str:
 def _metal(
     mesh: Mesh, group: Group, walls: Sequence[Wall], unit: str, differing: list[str], unread: list[str]
 ) -> Metal:
-    """Return the metal of a group, and note where file and cards differ, and metals that are not read."""
+    """Return the metal of a group; record where file and cards differ, and metals that cannot be read."""
     given = group.metal
     cards = [_in_si(mesh, wall, unit) for wall in walls if wall.youngs is not None or wall.density is not None]
     card = cards[0] if cards else {}
     if any(each != card for each in cards) and not isinstance(given, Metal):
-        allowed = "make a group of each, or give youngs, poisson and density"
-        raise InputError(f"metal of {group.name}", None, f"its sets have different metals in the mesh; {allowed}")
+        allowed = "give each set its own group, or give youngs, poisson and density"
+        raise InputError(f"metal of {group.name}", Wording("ambiguous: its sets have several metals"), allowed)
     known = {key: getattr(given, key) for key in METAL} if isinstance(given, Metal) else given
     for key in METAL:
         if key in card and key in known:
             value = units.parse(known[key], units.unit(_UNITS[key]).dimension)
             if abs(card[key] - value) > CLOSE * abs(value):
                 shown = (units.show(each, _UNITS[key]) for each in (card[key], value))
-                differing.append("{} of {} {} there, {} here".format(key, group.name, *shown))
+                differing.append("{} of {}: {} in the mesh, {} in the head's file".format(key, group.name, *shown))
     if isinstance(given, Metal):
         return given
     metal = Metal(**{**card, **given})
@@ -329,12 +330,12 @@ def _metal(
     if card and not set(METAL) <= {*card, *given}:
         left = [key for key in METAL if key not in card and key not in given]
         values = " and ".join(f"{key} {units.show(getattr(metal, key), _UNITS[key])}" for key in left)
-        mesh.notes.append(f"no card gives {' or '.join(left)} of {group.name}; taken as of titanium: {values}")
+        mesh.notes.append(f"no card gives {' or '.join(left)} of {group.name}; using titanium's: {values}")
     return metal
 
 
 def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
-    """Return youngs, poisson and density of a card in SI, in the one system in which they are those of a metal."""
+    """Return youngs, poisson and density of a card in SI, from the first system of units in which they fit a metal."""
     for system in (*SYSTEMS.get(unit, ()), SI):
         youngs = None if wall.youngs is None else wall.youngs * system.stress
         density = None if not wall.density else wall.density * system.density
@@ -348,21 +349,19 @@ def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
         f"{what} {value:g}" for what, value in (("E", wall.youngs), ("density", wall.density)) if value is not None
     )
     known = "; ".join(system.name for system in (*SYSTEMS.get(unit, ()), SI))
-    message = f"{wall.source}: {values} are those of no metal in any usual system of units ({known}); correct the card"
+    message = f"{wall.source}: {values} fit no metal in any usual system of units ({known}); correct the card"
     raise mesh.error(message)
 
 
 def point_masses(mesh: Mesh, unit: str) -> list[tuple[float, float, float, float]]:
-    """Return the point masses of a file: places in its unit, masses in kg."""
+    """Return the point masses of a file: positions in the file's unit, masses in kg."""
     masses = [each for each in mesh.masses if each[3]]
     if not masses:
         return []
     whole = sum(each[3] for each in masses)
     sizes = {system.mass for system in (*SYSTEMS.get(unit, ()), SI) if MASSES[0] <= whole * system.mass <= MASSES[1]}
     if len(sizes) != 1:
-        message = (
-            f"its {len(masses)} point masses add up to {whole:g}, which is not the mass of a head in any usual unit"
-        )
+        message = f"its {len(masses)} point masses add up to {whole:g}, which is no plausible mass in any usual unit"
         raise mesh.error(f"{message}; remove them and give [[masses]]")
     (size,) = sizes
     mesh.notes.append(f"its {len(masses)} point masses, {units.show(whole * size, 'g')} in all, are added to the head")

@@ -1,6 +1,6 @@
-"""From the elements of a file to a mesh that the core takes: seams closed, normals outward, triangles split.
+"""Repair of shell meshes from files for the core: close seams, orient normals outward, split triangles.
 
-Every step works on arrays and says what it changed; elements are called by the numbers of the file.
+Every step works on arrays and notes its changes; messages use the file's element numbers.
 """
 
 from __future__ import annotations
@@ -15,33 +15,33 @@ from clubface.fem.geometry import area_vectors
 from clubface.fem.mesh_files import Mesh
 
 MERGED = 1e-4
-"""Nodes nearer to each other than this part of the head's size are one: 0.01 mm of a driver. Files with five digits
-leave 0.001 mm between the nodes of a seam, and no element of a head is as small."""
+"""Tolerance for coincident nodes, relative to the size of the head: 0.01 mm for a driver. Files with five digits leave
+gaps of 0.001 mm at seams, and no element of a head is smaller than the tolerance."""
 LEAST_ANGLE = 0.05
-"""Least angle of a quadrilateral as it is left: its triangle there over the parallelogram of the diagonals, which is
-0.5 in a square. The core takes 0.02 and more."""
+"""Smallest corner angle of a quadrilateral that is left uncut, measured as the area of the corner's triangle over the
+parallelogram of the diagonals, which is 0.5 for a square. The core accepts 0.02 and more."""
 SAMPLE = 500
-"""Nodes of a piece whose distances from the others are looked at."""
+"""Maximum number of nodes of a piece whose distances to other pieces are computed."""
 WINDOW = 200
-"""Most neighbours along a line that are compared with a node."""
+"""Maximum number of neighbours along a line that are compared with a node."""
 DIRECTION = (0.4815, 0.6297, 0.6098)
-"""Direction of that line: no edge of a head lies across it."""
+"""Direction of that line: no edge of a head is perpendicular to it."""
 
 
 @dataclass
 class Shells:
-    """Shells on the way to a head.
+    """Shell elements under repair.
 
     Attributes
     ----------
     mesh
-        The file.
+        The mesh file.
     points, node_ids
-        Places of nodes, shape (n, 3), and their numbers in the file; 0 for one that was added.
+        Positions of nodes, shape (n, 3), and their numbers in the file; 0 for an added node.
     corners, ids
-        Nodes of elements, shape (m, 4), and their numbers in the file; the last node of a triangle is -1.
+        Nodes of elements, shape (m, 4), and element numbers in the file; the last node of a triangle is -1.
     group, thickness
-        Group and own thickness of each element.
+        Group index of each element, and its own thickness.
     """
 
     mesh: Mesh
@@ -53,21 +53,21 @@ class Shells:
     thickness: NDArray[Any]
 
     def keep(self, chosen: NDArray[Any]) -> None:
-        """Keep some of the elements."""
+        """Keep only the chosen elements."""
         self.corners, self.ids = self.corners[chosen], self.ids[chosen]
         self.group, self.thickness = self.group[chosen], self.thickness[chosen]
 
 
 def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any]) -> Shells:
-    """Return the shells of a mesh as convex, connected quadrilaterals with outward normals, as far as that can be.
+    """Return the shells of a mesh as connected, convex quadrilaterals with outward normals, as far as possible.
 
-    ``group`` is the place of the group of each element, and ``face`` says which groups are of the face. What is changed
-    is noted.
+    ``group`` is the index of each element's group, and ``face`` says which groups belong to the face. Changes are
+    noted.
 
     Raises
     ------
     FileError
-        An element lists a node twice, has no area, or shares an edge with two others.
+        An element repeats a node, has no area, or shares an edge with two others.
     """
     shells = Shells(mesh, mesh.points, mesh.node_ids, mesh.corners.copy(), mesh.ids, group, mesh.thickness)
     _take_triangles(shells)
@@ -81,7 +81,7 @@ def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any]) -> Shells:
 
 
 def _take_triangles(shells: Shells) -> None:
-    """Take quadrilaterals whose last two nodes are the same as the triangles that they stand for; refuse other ones."""
+    """Treat quadrilaterals whose last two nodes coincide as triangles; reject other repeated nodes."""
     corners = shells.corners
     corners[corners[:, 2] == corners[:, 3], 3] = -1
     ordered = np.sort(corners, axis=1)
@@ -94,12 +94,12 @@ def _take_triangles(shells: Shells) -> None:
 
 
 def _merge_nodes(shells: Shells) -> None:
-    """Make one of nodes that lie at one place, and elements that lose an edge by that triangles, or nothing."""
+    """Merge coincident nodes; elements that lose an edge become triangles or are dropped."""
     corners, count, near = merged(shells.points, shells.corners)
     if not count:
         return
     quads = corners[:, 3] >= 0
-    # A corner that is the one before it is taken out; what is left moves up.
+    # Remove corners equal to the previous one; later corners move up.
     for place in range(4):
         same = quads & (corners[:, place] == corners[:, place - 1])
         corners[same, place:3] = corners[same, place + 1 :]
@@ -110,18 +110,18 @@ def _merge_nodes(shells: Shells) -> None:
         | (quads & ((corners[:, 0] == corners[:, 2]) | (corners[:, 1] == corners[:, 3])))
     )  # fmt: skip
     shells.corners = corners
-    text = f"{count} nodes within {near:.2g} of another, in the unit of the file, are merged with it"
+    text = f"{count} nodes within {near:.2g} of another (in the file's unit) are merged"
     if lost.any():
         some = ", ".join(str(each) for each in shells.ids[lost][:3])
-        text += f"; {int(lost.sum())} elements have no area then and are left out, such as {some}"
+        text += f"; {int(lost.sum())} elements then have no area and are left out, such as {some}"
         shells.keep(~lost)
     if not len(shells.ids):
-        raise shells.mesh.error("all elements are smaller than the distance within which nodes are one")
+        raise shells.mesh.error("all elements are smaller than the tolerance for coincident nodes")
     shells.mesh.notes.append(text)
 
 
 def merged(points: NDArray[Any], corners: NDArray[Any]) -> tuple[NDArray[Any], int, float]:
-    """Return corners in which nodes at one place are one, how many are gone, and how near to each other they were."""
+    """Return corners with coincident nodes merged, the number of nodes removed, and the tolerance used."""
     used = np.unique(corners[corners >= 0])
     near = MERGED * float(np.ptp(points[used], axis=0).max())
     root = _coincident(points[used], near)
@@ -131,7 +131,7 @@ def merged(points: NDArray[Any], corners: NDArray[Any]) -> tuple[NDArray[Any], i
 
 
 def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
-    """Return for each point the first of those that are nearer than ``near``, itself among them."""
+    """Return for each point the index of the first point within ``near`` of it, possibly itself."""
     along = points @ np.array(DIRECTION)
     order = np.argsort(along, kind="stable")
     ranked, places = along[order], points[order]
@@ -152,14 +152,14 @@ def _coincident(points: NDArray[Any], near: float) -> NDArray[Any]:
 
 def _drop_unused(shells: Shells) -> None:
     used, corners = np.unique(shells.corners, return_inverse=True)
-    shift = int(used[0] == -1)  # the missing corner of triangles is no node
+    shift = int(used[0] == -1)  # -1 marks the missing corner of triangles
     shells.corners = corners.reshape(-1, 4) - shift
     used = used[shift:]
     shells.points, shells.node_ids = shells.points[used], shells.node_ids[used]
 
 
 def _check_doubles(shells: Shells) -> None:
-    """Refuse two elements of the same nodes."""
+    """Raise FileError if two elements have the same nodes."""
     ordered = np.sort(shells.corners, axis=1)
     _, first, back = np.unique(ordered, axis=0, return_index=True, return_inverse=True)
     doubled = np.flatnonzero(first[back.reshape(-1)] != np.arange(len(ordered)))
@@ -169,7 +169,7 @@ def _check_doubles(shells: Shells) -> None:
 
 
 def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """Return the edges of elements: their nodes in order, shape (k, 2), their elements, and their places there."""
+    """Return the edges of elements: ordered end nodes, shape (k, 2), element, and position within the element."""
     count = np.where(corners[:, 3] >= 0, 4, 3)
     element = np.repeat(np.arange(len(corners)), count)
     place = np.concatenate([np.arange(each) for each in count]) if len(count) else np.zeros(0, int)
@@ -178,7 +178,7 @@ def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[A
 
 
 def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
-    """Let all elements of a connected surface list their corners counterclockwise as seen from outside."""
+    """Orient the elements of each connected surface counterclockwise as seen from outside."""
     nodes, element, _ = _edges(shells.corners)
     keys, edge, count = np.unique(np.sort(nodes, axis=1), axis=0, return_inverse=True, return_counts=True)
     edge = edge.reshape(-1)
@@ -187,7 +187,7 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
         three = ", ".join(str(each) for each in shells.ids[element[edge == row]][:4])
         ends = " and ".join(str(each) for each in shells.node_ids[keys[row]])
         message = (
-            f"elements {three} share the edge of the nodes {ends}; walls that meet in a T, such as ribs, are not read"
+            f"elements {three} share the edge between nodes {ends}; T-joints of walls, such as ribs, are not supported"
         )
         raise shells.mesh.error(message)
     order = np.argsort(edge, kind="stable")
@@ -205,7 +205,7 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
     for each in range(int(piece.max()) + 1):
         own = piece == each
         inward = float(outflow[own].sum())
-        if abs(inward) < 1e-3 * float(size[own].sum()) ** 1.5:  # a plate has no inside: its face looks at the target
+        if abs(inward) < 1e-3 * float(size[own].sum()) ** 1.5:  # a plate has no inside: its face must point forward
             inward = float(area[own & of_face, 0].sum())
         if inward < 0.0:
             flip[own] ^= True
@@ -214,12 +214,12 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
     shells.corners[flip] = _reversed(shells.corners[flip])
     parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
     shells.mesh.notes.append(
-        f"the normals of {parts} elements point inward and are turned, element {shells.ids[flip][0]} the first"
+        f"the normals of {parts} elements pointed inward and were reversed, starting with element {shells.ids[flip][0]}"
     )
 
 
 def _check_pieces(shells: Shells, piece: NDArray[Any]) -> None:
-    """Refuse a mesh in pieces, such as the inner and the outer side of walls, or parts whose seams are not closed."""
+    """Raise FileError if the mesh is in pieces, such as both sides of walls, or parts with open seams."""
     sizes = np.bincount(piece)
     if len(sizes) == 1:
         return
@@ -229,23 +229,23 @@ def _check_pieces(shells: Shells, piece: NDArray[Any]) -> None:
     least = piece == int(np.argmin(sizes))
     one, other = (shells.points[np.unique(shells.corners[rows][shells.corners[rows] >= 0])] for rows in (least, ~least))
     distances = np.concatenate([np.linalg.norm(other - place, axis=1) for place in one[:SAMPLE]])
-    away = float(distances[distances > 0.0].min())  # pieces that touch in a node alone are two
+    away = float(distances[distances > 0.0].min())  # pieces that touch only at a node remain separate
     message = (
-        f"a mesh must be in one piece, and this is in {len(sizes)} that share no edge, of {some} elements; nodes of the"
-        f" smallest are {away:.3g} from the others, in the unit of the file: merge the nodes of seams, and mesh a wall"
-        " once, on its middle surface"
+        f"a mesh must be in one piece, but this one is in {len(sizes)} that share no edge, of {some} elements; nodes of"
+        f" the smallest are {away:.3g} from the others (in the file's unit): merge the nodes at seams, and mesh each"
+        " wall once, on its middle surface"
     )
     raise shells.mesh.error(message)
 
 
 def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any]) -> None:
-    """Note a hole or a slit: edges of one element alone."""
+    """Note edges that belong to a single element, as at a hole or slit."""
     if not len(edges):
         return
     ends = shells.points[edges]
     length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
     shells.mesh.notes.append(
-        f"the surface is open, as at a hole or a slit: along {length:.3g}, in the unit of the file, elements such as"
+        f"the surface is open, as at a hole or a slit: along {length:.3g} (in the file's unit), elements such as"
         f" {shells.ids[element[0]]} have no neighbour at an edge"
     )
 
@@ -255,7 +255,7 @@ def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
 
 
 def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return which elements to turn so that neighbours agree with the first of their piece, and the pieces."""
+    """Return which elements to reverse so that neighbours agree within each piece, and the piece of each element."""
     neighbours: list[list[tuple[int, bool]]] = [[] for _ in range(count)]
     for (one, other), alike in zip(pairs.tolist(), same.tolist(), strict=True):
         neighbours[one].append((other, alike))
@@ -274,7 +274,7 @@ def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[ND
                     piece[other], flip[other] = pieces, flip[at] ^ alike
                     heap.append(other)
                     members.append(other)
-        if 2 * int(flip[members].sum()) > len(members):  # turn the fewer
+        if 2 * int(flip[members].sum()) > len(members):  # reverse the minority
             flip[members] ^= True
         pieces += 1
     return flip, piece
@@ -292,7 +292,7 @@ def _centres(shells: Shells) -> NDArray[Any]:
 
 
 def _cut_bad_quadrilaterals(shells: Shells) -> None:
-    """Cut quadrilaterals with an angle of nearly 180 degrees or more into two triangles; refuse what has no area."""
+    """Cut quadrilaterals with an angle of nearly 180 degrees or more into triangles; reject elements without area."""
     corners = shells.corners
     length = float(np.ptp(shells.points, axis=0).max())
     area = np.linalg.norm(_area_vectors(shells), axis=1)
@@ -300,21 +300,21 @@ def _cut_bad_quadrilaterals(shells: Shells) -> None:
     quads = np.flatnonzero(corners[:, 3] >= 0)
     places = shells.points[corners[quads]]
     across = np.cross(places[:, 2] - places[:, 0], places[:, 3] - places[:, 1])
-    # Twice the area of the triangle at each corner over that of the diagonals' parallelogram; 0.5 in a square.
+    # Twice the area of each corner's triangle over the parallelogram of the diagonals; 0.5 in a square.
     turns = np.cross(places - np.roll(places, 1, axis=1), np.roll(places, -1, axis=1) - places)
     square = np.maximum(np.einsum("ij,ij->i", across, across), 1e-300)
     angles = np.einsum("ijk,ik->ij", turns, across) / square[:, None]
     bad = angles.min(axis=1) < LEAST_ANGLE
     at = angles.argmin(axis=1)
     rows = np.arange(len(quads))
-    # The diagonal from the worst corner leaves a triangle at each of its neighbours.
+    # The diagonal from the worst corner leaves one triangle at each neighbouring corner.
     sibling = np.minimum(angles[rows, (at + 1) % 4], angles[rows, (at + 3) % 4])
     flat[quads[bad & (sibling <= LEAST_ANGLE)]] = True
     if flat.any():
         row = int(np.argmax(flat))
         nodes = ", ".join(str(shells.node_ids[each]) for each in corners[row] if each >= 0)
         message = (
-            f"element {shells.ids[row]} is inverted or degenerate: its nodes {nodes} must be in order round it and"
+            f"element {shells.ids[row]} is inverted or degenerate: its nodes {nodes} must go around it in order and"
             " enclose an area; correct or refine the mesh there"
         )
         raise shells.mesh.error(message)
@@ -336,10 +336,10 @@ def _cut_bad_quadrilaterals(shells: Shells) -> None:
 
 
 def _split(shells: Shells) -> None:
-    """Split triangles into three quadrilaterals at the middle of their edges, and quadrilaterals between them.
+    """Split triangles into three quadrilaterals at their edge midpoints, and quadrilaterals between them to match.
 
-    A quadrilateral with such a node on an edge gets one on another edge too, and so on to the next triangle: so each is
-    split into two, three or four, and no node hangs on an edge.
+    A quadrilateral with a midpoint on one edge gets one on another edge too, and so on to the next triangle, so that
+    each is split into two, three or four and no hanging nodes remain.
     """
     triangles = shells.corners[:, 3] < 0
     if not triangles.any():
@@ -397,12 +397,13 @@ def _split(shells: Shells) -> None:
 
 
 def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[Any]:
-    """Return the edges to be halved: all of triangles, and as few others as leave each quadrilateral an even number.
+    """Return the edges to halve: all edges of triangles, and as few others as give each quadrilateral an even number.
 
-    From a quadrilateral with an odd number a path leads over neighbours to the nearest other one, or to the end of the
-    surface; every edge on its way changes. Edges of triangles are no way, so that the odd ones of a surface pair up.
+    From a quadrilateral with an odd number, a path leads through neighbours to the nearest other such one or to the
+    edge of the surface; every edge it crosses is switched. Paths do not cross edges of triangles, so the odd ones of a
+    surface pair up.
 
-    ``of_place`` has the edges of each element, shape (m, 4), of ``count`` in all; ``triangles`` says which are some.
+    ``of_place`` has the edges of each element, shape (m, 4), ``count`` in all; ``triangles`` marks the triangles.
     """
     marked = np.zeros(count, bool)
     marked[of_place[triangles, :3]] = True

@@ -1,4 +1,4 @@
-"""Meshed heads, of shells or solid: what they have in common, and how the core takes them."""
+"""Meshed heads of shells or solid elements: common properties, and conversion to the core's format."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ from clubface.fem.materials import Material
 
 
 class MeshedHead(ABC):
-    """A head of elements, in SI units.
+    """A finite element head, in SI units.
 
-    The axes are those of :class:`clubface.Club`; the origin is the face centre, on the outside.
+    The axes are those of :class:`clubface.Club`; the origin is the face centre on the outside.
 
     Attributes
     ----------
     name, description
-        Name and description for tables.
+        Name and description shown in tables.
     nodes
-        Nodes [m], shape (n, 3); of shells those of the middle surface.
+        Nodes [m], shape (n, 3); for shells on the middle surface.
     added
-        Mass added to each node [kg].
+        Added mass at each node [kg].
     loft
         Elevation of the face normal at the face centre [rad].
     bulge, roll
-        Radii of the face [m]. They say where the ball is placed; the ball touches the mesh.
+        Radii of the face [m]. They position the ball, which then touches the mesh.
     report
-        Added masses [kg] by name, and what else the head took to meet its targets.
+        Added masses [kg] by name, and other adjustments made to meet targets.
     """
 
     name: str
@@ -53,15 +53,15 @@ class MeshedHead(ABC):
 
     @abstractmethod
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the head in the core's format."""
 
     @abstractmethod
     def face_places(self) -> NDArray[Any]:
-        """Return the places of the nodes of the face [m]."""
+        """Return the positions of the face's nodes [m]."""
 
     @abstractmethod
     def part_of_elements(self) -> NDArray[Any]:
-        """Return the number of the part of each element."""
+        """Return the part number of each element."""
 
     @property
     def elements(self) -> int:
@@ -70,23 +70,23 @@ class MeshedHead(ABC):
 
     @property
     def volume(self) -> float | None:
-        """What it displaces [m3]; None where its surface is open, or where it is not known."""
+        """Displaced volume [m3]; None if the surface is open or the volume is unknown."""
         return None
 
     @property
     def size(self) -> tuple[float, float, float]:
-        """Its size as soled: from face to back, from sole to crown, from heel to toe [m]."""
+        """Extent of the soled head [m]: face to back, sole to crown, heel to toe."""
         depth, height, length = (self.places.max(axis=0) - self.places.min(axis=0)).tolist()
         return depth, height, length
 
     @property
     def places(self) -> NDArray[Any]:
-        """Places of points of its surface [m], shape (n, 3); all of it lies within their convex hull."""
+        """Points [m], shape (n, 3), whose convex hull contains the head."""
         return self.nodes
 
     @cached_property
     def club(self) -> Club:
-        """The same head as a rigid club, with mass, CG and inertia of the mesh, for any model."""
+        """The equivalent rigid club, with the mesh's mass, CG and inertia, for any model."""
         weighed = in_thread(core.fem_head_properties, self.values())
         places = self.face_places()
         size = places.max(axis=0) - places.min(axis=0)
@@ -96,19 +96,19 @@ class MeshedHead(ABC):
         return Club(
             name=self.name, description=self.description, kind="iron" if np.isinf(self.bulge) else "wood",
             mass=float(weighed["mass"]), loft=self.loft, bulge=self.bulge, roll=self.roll, **cg, **inertia,
-            # The outline about the face centre that holds the whole face.
+            # An outline centred on the face centre that contains the whole face.
             face_width=2.0 * float(np.abs(places[:, 2]).max()), face_height=float(np.hypot(size[0], size[1])),
         )  # fmt: skip
 
     @property
     def cg_above(self) -> float:
-        """How far the CG lies above the face normal through the face centre, along the face [m]."""
+        """Height of the CG above the face normal through the face centre, along the face [m]."""
         return self.club.cg_x * math.sin(self.loft) - self.club.cg_y * math.cos(self.loft)
 
     def as_club(self, **changes: Any) -> MeshedClub:
-        """Return the club that finite elements take as this mesh and every other model as the rigid head.
+        """Return a club with this mesh for finite elements, and the equivalent rigid head for all other models.
 
-        ``changes`` are those of :meth:`clubface.Club.replace`, for what a mesh does not say.
+        ``changes`` are those of :meth:`clubface.Club.replace`, for properties that a mesh does not have.
         """
         rigid = self.club.replace(**changes) if changes else self.club
         return MeshedClub(**{each.name: getattr(rigid, each.name) for each in fields(Club)}, head=self)
@@ -119,7 +119,7 @@ class MeshedHead(ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class MeshedClub(Club):
-    """A club that was read from the file of a meshed head, and keeps the mesh.
+    """A club read from a meshed head's file, which keeps the mesh.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class MeshedClub(Club):
     head: MeshedHead = field(repr=False)
 
     def replace(self, **changes: Any) -> Self:
-        """Return it with fields changed; with other mass, inertia or shape it is a rigid club without a mesh."""
+        """Return a copy with fields changed; changes of mass, inertia or shape give a rigid club without a mesh."""
         if OF_THE_MESH & set(changes):
             plain = Club(**{each.name: getattr(self, each.name) for each in fields(Club)})
             return plain.replace(**changes)  # pyright: ignore[reportReturnType]
@@ -138,32 +138,32 @@ class MeshedClub(Club):
 
 
 OF_THE_MESH = set(CLUB_PROPERTIES) - {"characteristic_time", "cor"}
-"""Fields of a club that its mesh determines."""
+"""Club fields that the mesh determines."""
 
 
 def mesh_of(club: Any) -> MeshedHead | None:
-    """Return the mesh of a head, or of a club that has one; None for a rigid one."""
+    """Return the mesh of a head or club, or None if it is rigid."""
     return club if isinstance(club, MeshedHead) else club.head if isinstance(club, MeshedClub) else None
 
 
 ROUND = (0, 1, 3, 2, 4, 5, 7, 6)
-"""Corners of an element round the bottom, then round the top, from their binary order, and back."""
+"""Permutation of a hexahedron's corners from binary order to around the bottom, then the top, and back."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SolidPart:
-    """Solid elements of one metal.
+    """Solid elements of one part with one metal.
 
     Attributes
     ----------
     name
-        Its name, such as "face".
+        Name of the part, such as "face".
     metal
         The metal.
     hexahedra
-        Nodes of its hexahedra, round the bottom, then round the top, shape (m, 8).
+        Nodes of hexahedra, around the bottom, then around the top, shape (m, 8).
     tetrahedra
-        Nodes of its tetrahedra, corners first, then the middles of edges in the order of
+        Nodes of tetrahedra, corners first, then mid-edge nodes in the order of
         :data:`clubface.fem.geometry.EDGES`, shape (k, 10).
     """
 
@@ -173,22 +173,22 @@ class SolidPart:
     tetrahedra: NDArray[Any] = field(default_factory=lambda: np.zeros((0, 10), np.int64), repr=False)
 
     def outside(self) -> NDArray[Any]:
-        """Return the outer sides of its elements as quadrilaterals; a triangle has its last corner twice."""
+        """Return the outer sides of the elements as quadrilaterals; a triangle repeats its last corner."""
         return outer_quads(self.hexahedra, self.tetrahedra)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Bond:
-    """The surface of a part that is bonded to that of another one, where the two lie on each other.
+    """Bond between the surfaces of two parts, where they lie on each other.
 
     Attributes
     ----------
     part
-        Name of the part whose nodes are held, best the one with the smaller elements.
+        Part whose nodes are tied; preferably the one with smaller elements.
     to
-        Name of the part to whose sides they are bonded.
+        Part to whose surface they are tied.
     within
-        Largest distance between the two surfaces [m]. The nodes move by it, onto the other surface.
+        Largest distance between the two surfaces [m]. Nodes are moved by it, onto the other surface.
     """
 
     part: str
@@ -203,16 +203,16 @@ class SolidHead(MeshedHead):
     Attributes
     ----------
     parts
-        Its parts.
+        The parts.
     face
-        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4); a triangle has its
-        last corner twice.
+        Quadrilaterals that the ball may touch, counterclockwise as seen from outside, shape (k, 4); a triangle repeats
+        its last corner.
     bonds
         Bonds between parts that share no nodes.
     grooves
-        "width", "depth", "pitch" and "wall" of the grooves [m], or None.
+        "width", "depth", "pitch" and "wall" of the grooves [m]; None for a plain face.
     element
-        Kind of the hexahedra, "one-point" or "full".
+        Kind of hexahedra, "one-point" or "full".
     """
 
     name: str
@@ -231,27 +231,27 @@ class SolidHead(MeshedHead):
 
     @cached_property
     def hexahedra(self) -> NDArray[Any]:
-        """The hexahedra of all parts."""
+        """Hexahedra of all parts."""
         return np.concatenate([part.hexahedra for part in self.parts])
 
     @cached_property
     def tetrahedra(self) -> NDArray[Any]:
-        """The tetrahedra of all parts; in results they follow the hexahedra."""
+        """Tetrahedra of all parts; in results they follow the hexahedra."""
         return np.concatenate([part.tetrahedra for part in self.parts])
 
     def part_of_elements(self) -> NDArray[Any]:
-        """Return the number of the part of each element."""
+        """Return the part number of each element."""
         hexahedra, tetrahedra = ([len(each) for each in kind] for kind in zip(
             *((part.hexahedra, part.tetrahedra) for part in self.parts), strict=True))  # fmt: skip
         numbers = np.arange(len(self.parts))
         return np.concatenate([np.repeat(numbers, hexahedra), np.repeat(numbers, tetrahedra)])
 
     def face_places(self) -> NDArray[Any]:
-        """Return the places of the nodes of the face [m]."""
+        """Return the positions of the face's nodes [m]."""
         return self.nodes[np.unique(self.face)]
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the head in the core's format."""
         parts = []
         for part in self.parts:
             material = Material.linear(part.metal.youngs, part.metal.poisson, density=part.metal.density)
@@ -278,7 +278,7 @@ class SolidHead(MeshedHead):
 
 @dataclass(frozen=True)
 class Part:
-    """Consecutive shells, ``elements`` in number, with one name, such as "crown"; the ball may touch a ``face``."""
+    """A named run of ``elements`` consecutive shells, such as "crown"; ``face`` says whether the ball may touch it."""
 
     name: str
     elements: int
@@ -299,8 +299,8 @@ class ShellHead(MeshedHead):
     parts
         The parts, in the order of their elements.
     asked
-        The targets, under the names of :class:`clubface.fem.DriverHead`, in SI units. A target that the bounds do not
-        allow is missed.
+        Targets under the names used by :class:`clubface.fem.DriverHead`, in SI units; the head may miss a target that
+        its limits do not allow.
     """
 
     name: str
@@ -318,13 +318,13 @@ class ShellHead(MeshedHead):
 
     @property
     def reached(self) -> dict[str, float]:
-        """The values that the head has, under the names of the targets of :class:`clubface.fem.DriverHead`, in SI."""
+        """Actual values of the head [SI], under the names of the targets of :class:`clubface.fem.DriverHead`."""
         names = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz")
         return {**{name: float(getattr(self.club, name)) for name in names}, "cg_above": self.cg_above}
 
     @property
     def places(self) -> NDArray[Any]:
-        """Places of its nodes on the outside of the walls [m]."""
+        """Nodes moved to the outside of the walls [m]."""
         normals, walls = np.zeros((len(self.nodes), 3)), np.zeros(len(self.nodes))
         np.add.at(normals, self.quads, area_vectors(self.nodes, self.quads)[:, None])
         np.maximum.at(walls, self.quads, np.repeat(self.thickness[:, None], 4, axis=1))
@@ -333,7 +333,7 @@ class ShellHead(MeshedHead):
 
     @property
     def volume(self) -> float | None:
-        """What it displaces [m3], to the outside of its walls; None where the mesh is open, such as at a hosel."""
+        """Volume enclosed by the outside of the walls [m3]; None if the mesh is open, such as at a hosel."""
         sides = np.stack([self.quads, np.roll(self.quads, -1, axis=1)], axis=-1).reshape(-1, 2)
         if (np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)[1] != 2).any():
             return None
@@ -343,11 +343,11 @@ class ShellHead(MeshedHead):
         return float(np.einsum("ij,ij->", area, middle) / 3.0 + 0.5 * walls)
 
     def part_of_elements(self) -> NDArray[Any]:
-        """Return the number of the part of each element."""
+        """Return the part number of each element."""
         return np.repeat(np.arange(len(self.parts)), [part.elements for part in self.parts])
 
     def values(self) -> dict[str, Any]:
-        """Return what the core takes."""
+        """Return the head in the core's format."""
         parts = [
             {key: getattr(part.metal, key) for key in ("youngs", "poisson", "density", "points", "rule")}
             | {"name": part.name, "elements": part.elements, "plastic": part.metal.plastic(), "face": part.face}
@@ -359,6 +359,6 @@ class ShellHead(MeshedHead):
         }}  # fmt: skip
 
     def face_places(self) -> NDArray[Any]:
-        """Return the places of the nodes of the face [m]."""
+        """Return the positions of the face's nodes [m]."""
         chosen = [number for number, part in enumerate(self.parts) if part.face]
         return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]

@@ -22,10 +22,10 @@ STRESS = PhysicalValue("MPa", lower=0, allowed=HARDENS, decimals=4)
 
 @dataclass(frozen=True, kw_only=True)
 class Hardening:
-    """Increase of the yield stress with the plastic strain p: ``modulus p + gain (1 - exp(-rate p))``; or a table.
+    """Rise of the yield stress with plastic strain p: ``modulus p + gain (1 - exp(-rate p))``, or a table.
 
-    ``table`` holds points of plastic strain, the first 0, and yield stress [Pa], joined by straight lines and constant
-    after the last; or none.
+    ``table`` holds points of plastic strain, starting at 0, and yield stress [Pa], interpolated linearly and constant
+    after the last; it is empty if the formula is used.
     """
 
     modulus: float = file_key(STRESS, "modulus of linear hardening", default=0.0)
@@ -52,7 +52,7 @@ class Hardening:
         if not stresses[0] > 0.0 or any(not a <= b for a, b in pairwise(stresses)):
             shown = [units.show(stress, "MPa") for stress in stresses]
             raise InputError(
-                "hardening", shown, "stresses above 0 that do not fall: a metal that softens fails at once"
+                "hardening", shown, "positive stresses that do not decrease; a softening metal fails at once"
             )
 
 
@@ -64,10 +64,10 @@ def _point(given: Any) -> tuple[float, float]:
 
 
 class HardeningValue(Value):
-    """The kind of what a file says of hardening."""
+    """Type of the value of ``hardening`` in a file."""
 
     def read(self, given: Any, place: Place) -> Hardening:
-        """Return the hardening."""
+        """Read a modulus, a table of values, or a list of points."""
         if isinstance(given, Hardening):
             return given
         if isinstance(given, Mapping):
@@ -80,14 +80,14 @@ class HardeningValue(Value):
         return Hardening(modulus=STRESS.read(given, place))
 
     def write(self, value: Hardening) -> str:
-        """Return the points of a table, or names and values."""
+        """Write the points of a table, or names and values."""
         stress = STRESS.write
         if value.table:
             return f"[{', '.join(f'[{strain!r}, {stress(each)}]' for strain, each in value.table)}]"
         return f"{{ modulus = {stress(value.modulus)}, gain = {stress(value.gain)}, rate = {value.rate!r} }}"
 
     def words(self) -> str:
-        """Return the three ways."""
+        """Describe the three forms."""
         return "a modulus, a table of `modulus`, `gain` and `rate`, or a list of plastic strains and stresses"
 
 
@@ -95,18 +95,18 @@ HARDENING = HardeningValue()
 
 
 RULES = {"gauss": 2, "lobatto": 3}
-"""Rules of points through the thickness, and the fewest points of each."""
+"""Integration rules through the thickness, with the minimum number of points of each."""
 POINTS = 8
-"""Number of points of a hardening curve that is not given as a table."""
+"""Number of points in a hardening curve that is not given as a table."""
 MAX_POINTS = 31
 
 
 @dataclass(frozen=True, kw_only=True)
 class Metal:
-    """A metal, elastic until it yields. By default it is the usual titanium alloy Ti-6Al-4V, elastic.
+    """A metal, elastic until it yields; default: the titanium alloy Ti-6Al-4V, elastic.
 
-    A metal without ``yield`` stays elastic. ``points`` are five in a metal that yields unless given, and none in an
-    elastic one, for which stress resultants are as accurate.
+    A metal without ``yield`` stays elastic. ``points`` default to five if the metal yields, and to none if it is
+    elastic, since stress resultants are then equally accurate.
     """
 
     youngs: float = file_key(
@@ -117,7 +117,7 @@ class Metal:
         PhysicalValue("kg/m3", 100, 25000, decimals=4), "density", example="4430 kg/m3", default=4430.0
     )
     yield_stress: float | None = file_key(
-        PhysicalValue("MPa", decimals=4), "stress in tension at which it yields", name="yield", example="880 MPa",
+        PhysicalValue("MPa", decimals=4), "yield stress in tension", name="yield", example="880 MPa",
         default=None,
     )  # fmt: skip
     hardening: Hardening | None = file_key(
@@ -126,7 +126,7 @@ class Metal:
     )  # fmt: skip
     points: int | None = file_key(count(2, MAX_POINTS), "points through the thickness of shells", default=None)
     rule: str = file_key(
-        Choice(tuple(RULES)), "where the points lie; `lobatto` has some on both surfaces", default="gauss"
+        Choice(tuple(RULES)), "rule of these points; `lobatto` has points on both surfaces", default="gauss"
     )
 
     def __post_init__(self) -> None:
@@ -149,27 +149,27 @@ class Metal:
             raise InputError("yield", units.show(self.yield_stress, "MPa"), "1 MPa to a tenth of youngs")
 
     def curve(self) -> list[tuple[float, float]]:
-        """Return plastic strains and yield stresses [Pa]: those of the table, or ``POINTS`` up to a strain of 20%."""
+        """Return plastic strains and yield stresses [Pa]: the table, or ``POINTS`` points up to 20% strain."""
         if self.yield_stress is None:
             return []
         hardening = self.hardening or Hardening()
         if hardening.table:
-            # A curve needs two points.
+            # A curve needs at least two points.
             last = (hardening.table[-1][0] + 0.2, hardening.table[-1][1])
             return list(hardening.table) if len(hardening.table) > 1 else [*hardening.table, last]
-        # Closer where a saturating metal hardens most.
+        # Denser at small strains, where a saturating metal hardens most.
         strains = [0.2 * (number / (POINTS - 1)) ** 2 for number in range(POINTS)]
         return list(zip(strains, self.flow_stress(strains), strict=True))
 
     def flow_stress(self, strains: Sequence[float]) -> list[float]:
-        """Return the stresses [Pa] at which a yielding metal flows, at the given plastic strains."""
+        """Return the flow stresses [Pa] of a yielding metal at the given plastic strains."""
         metal = self.plastic()
         if metal is None:
-            raise InputError("yield", None, "give it: without it this metal stays elastic")
+            raise InputError("yield", None, "give it; without it this metal stays elastic")
         return core.fem_yield_stress(metal, list(strains))
 
     def plastic(self) -> dict[str, Any] | None:
-        """Return yield and hardening as the core takes them; None for an elastic metal."""
+        """Return yield stress and hardening in the core's format; None for an elastic metal."""
         if self.yield_stress is None:
             return None
         hardening = self.hardening or Hardening()

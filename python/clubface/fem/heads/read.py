@@ -1,4 +1,4 @@
-"""Heads by name or from TOML."""
+"""Reading heads by name or from TOML, and writing them."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from clubface.support.files import builtin_names, path_of
 Design = DriverHead | IronHead | MeshHead
 FOLDER = "fem_heads"
 DESIGNS: Mapping[str, type[Design]] = {"driver": DriverHead, "iron": IronHead, "mesh": MeshHead}
-"""What a head is made from, by kind."""
+"""Design of each kind of head."""
 OF_A_CLUB = ("hand", "parameters", "characteristic_time", "cor")
-"""What a file may say of the head as a rigid club, for the models that take it as one."""
+"""Keys that describe the head as a rigid club, for models with a rigid head."""
 OTHERS: Mapping[str, Value] = {"kind": Choice(DESIGNS), **{key: entries(Club)[key].value for key in OF_A_CLUB}}
-"""Keys of a file that are no part of the design."""
+"""Keys of a file that do not belong to the design."""
 
 
 DRIVER_FILE, IRON_FILE, MESH_FILE = (Table(each, OTHERS) for each in DESIGNS.values())
-"""The kinds of file that there are."""
+"""File formats of the three kinds of head."""
 
 
 def head_names() -> tuple[str, ...]:
-    """Return the names of the heads that come with clubface."""
+    """Return the names of the built-in heads."""
     return builtin_names(FOLDER)
 
 
 def head(source: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> MeshedHead:
-    """Return a meshed head: by its built-in name, from a TOML file, or from its design."""
+    """Return a meshed head, from a built-in name, a TOML file, a design, or a head that is meshed already."""
     if isinstance(source, MeshedHead | MeshedClub):
         return source if isinstance(source, MeshedHead) else source.head
     if isinstance(source, DriverHead | IronHead | MeshHead):
@@ -43,7 +43,7 @@ def head(source: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> M
 
 
 def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -> Design | None:
-    """Return what a head is made from; None of a head that is a mesh already."""
+    """Return the design of a head; None if the head is a mesh already."""
     if isinstance(head, MeshedHead | MeshedClub):
         return None
     if isinstance(head, DriverHead | IronHead | MeshHead):
@@ -52,28 +52,28 @@ def design_of(head: str | os.PathLike[str] | MeshedHead | MeshedClub | Design) -
 
 
 def from_toml(path: str | os.PathLike[str]) -> Design:
-    """Read the design of a head from a TOML file; a mesh that it names by path is looked for next to it."""
+    """Read the design of a head from a TOML file; the path of a mesh in it is relative to the file."""
     return design_from_document(Document.read(path))
 
 
 def from_text(text: str) -> Design:
-    """Read the same from text; a mesh is looked for in the folder of work."""
+    """Read the design of a head from TOML text; the path of a mesh is relative to the working directory."""
     return design_from_document(Document(text))
 
 
 def head_text(
     design: Design, *, characteristic_time: float | None = None, folder: str | os.PathLike[str] | None = None
 ) -> str:
-    """Return a file of a head, which :func:`from_toml` reads; lengths to 0.1 um.
+    """Write a head as TOML that :func:`from_toml` can read; lengths to 0.1 um.
 
     Parameters
     ----------
     design
         The head.
     characteristic_time
-        For the models that take the head as rigid [s].
+        Characteristic time for the models that treat the head as rigid [s].
     folder
-        Where the file is to stand: a mesh is named from there. Unless given, it is named as in the head.
+        Folder of the file, to which the path of a mesh is made relative; default: the path as it is in the head.
     """
     head = f'kind = "{next(kind for kind, each in DESIGNS.items() if isinstance(design, each))}"\n'
     if characteristic_time is not None:
@@ -82,10 +82,10 @@ def head_text(
 
 
 def club_of(document: Document) -> MeshedClub:
-    """Return the club of a file of a head: for finite elements its mesh, for every other model what that weighs.
+    """Return the club of a head's file: the mesh for finite elements, its mass properties for every other model.
 
-    ``hand``, ``parameters``, and ``characteristic_time`` or ``cor`` of the file are those of a club; without one of the
-    last two, the models that take the head as rigid take its face as rigid as well.
+    ``hand``, ``parameters``, and ``characteristic_time`` or ``cor`` in the file are those of a club. Without
+    ``characteristic_time`` or ``cor``, models that treat the head as rigid also treat its face as rigid.
     """
     made = _mesh_of(document)
     with Place(document).errors():
@@ -93,12 +93,12 @@ def club_of(document: Document) -> MeshedClub:
 
 
 def _mesh_of(document: Document) -> MeshedHead:
-    """Mesh the head of a file; errors of the mesh name the file of the head too."""
+    """Mesh the head of a file; errors of the mesh also name the head's file."""
     design = design_from_document(document)
     with Place(document).errors():
         try:
             made = design.mesh()
-            # The core checks a mesh when it weighs it.
+            # Computing the mass properties makes the core check the mesh.
             _ = made.club
         except FileError as error:
             raise FileError(document.path, document.line_of(("file",)), str(error), "file") from error
@@ -111,7 +111,7 @@ def _mesh_of(document: Document) -> MeshedHead:
 
 
 def design_from_document(document: Document) -> Design:
-    """Return the design that a document describes."""
+    """Return the design described by a document."""
     place = Place(document)
     place.require_keys(document.data, ("kind",))
     with (at := place.key("kind")).errors():

@@ -1,6 +1,7 @@
-"""From the solid elements of a mesh file to parts that the core takes: ten-node tetrahedra and hexahedra.
+"""Preparation of solid elements from mesh files for the core: ten-node tetrahedra, and hexahedra.
 
-Tetrahedra get nodes in the middle of straight edges, whatever nodes the file has there: four-node ones hardly bend.
+Tetrahedra get nodes at the middle of straight edges, whatever mid-edge nodes the file has: four-node tetrahedra hardly
+bend.
 """
 
 from __future__ import annotations
@@ -29,24 +30,24 @@ from clubface.fem.heads.metal import Metal
 from clubface.fem.mesh_files import SOLIDS, Mesh
 
 MASS_SHARES = np.array([1.0 / 36.0] * 4 + [4.0 / 27.0] * 6)
-"""Parts of the mass of a tetrahedron at its nodes, as the core has them."""
+"""Fractions of a tetrahedron's mass at its nodes, as in the core."""
 SLIVER = 5.0
-"""How many times a tetrahedron may be flatter than half of the others without a note."""
+"""Ratio of median to smallest tetrahedron height above which a note is made."""
 TOP_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
-"""A hexahedron the other way up, which turns it inside out."""
+"""Corners of a hexahedron with top and bottom exchanged, which turns it inside out."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Solids:
-    """The solid elements of a head."""
+    """Solid elements of a head."""
 
-    points: NDArray[Any]  # places of nodes in the unit of the file, shape (n, 3)
-    node_ids: NDArray[Any]  # their numbers in the file; 0 for one that was added
-    parts: tuple[SolidPart, ...]  # a group each
-    ids: NDArray[Any]  # numbers of the elements in the file, in the order of results
+    points: NDArray[Any]  # positions of nodes in the file's unit, shape (n, 3)
+    node_ids: NDArray[Any]  # node numbers in the file; 0 for added nodes
+    parts: tuple[SolidPart, ...]  # one per group
+    ids: NDArray[Any]  # element numbers in the file, in the order of results
 
     def metal_at_nodes(self, size: float) -> NDArray[Any]:
-        """Return the mass of metal at each node [kg]; ``size`` is that of the unit of the points [m]."""
+        """Return the metal mass at each node [kg]; ``size`` is the length of the points' unit [m]."""
         nodes, masses = self.points * size, np.zeros(len(self.points))
         for part in self.parts:
             each = element_masses(nodes, part.hexahedra, part.metal.density)
@@ -59,14 +60,14 @@ class Solids:
 def solids_of_mesh(
     mesh: Mesh, of_group: NDArray[Any], names: Sequence[str], metals: Sequence[Metal], bonds: Sequence[Bond]
 ) -> Solids:
-    """Return the solid elements of a mesh, oriented, with their seams closed but for those of bonds.
+    """Return the solid elements of a mesh, oriented, with closed seams except at bonds.
 
-    ``of_group`` is the group of each element; ``names`` and ``metals`` are those of the groups.
+    ``of_group`` is the group index of each element; ``names`` and ``metals`` are those of the groups.
 
     Raises
     ------
     FileError
-        There are wedges or pyramids, an element is degenerate, or tetrahedra and hexahedra share nodes.
+        The mesh has wedges or pyramids, a degenerate element, or tetrahedra and hexahedra that share a side.
     """
     counts = (mesh.corners >= 0).sum(axis=1)
     _check_kinds(mesh, counts)
@@ -77,7 +78,7 @@ def solids_of_mesh(
     _turn_outward(mesh, tetrahedra, ids, hexahedra, mesh.ids[counts == 8])
     _note_sliver(mesh, tetrahedra, ids)
     _check_shared(mesh, tetrahedra, ids, hexahedra)
-    # Nodes in the middle of the edges of tetrahedra.
+    # Add nodes at the middle of tetrahedron edges.
     edges, places = np.unique(np.sort(tetrahedra[:, EDGES].reshape(-1, 2), axis=1), axis=0, return_inverse=True)
     tetrahedra = np.concatenate([tetrahedra, len(mesh.points) + places.reshape(-1, len(EDGES))], axis=1)
     points = np.concatenate([mesh.points, mesh.points[edges].mean(axis=1)])
@@ -91,42 +92,42 @@ def solids_of_mesh(
                   tetrahedra=tetrahedra[of_group[counts == 4] == number])
         for number, (name, metal) in enumerate(zip(names, metals, strict=True))
     )  # fmt: skip
-    # Of all parts the hexahedra, then the tetrahedra.
+    # Hexahedra of all parts first, then tetrahedra.
     order = np.lexsort((of_group, counts == 4))
     return Solids(points=points[used], node_ids=node_ids[used], parts=parts, ids=mesh.ids[order])
 
 
 def _check_kinds(mesh: Mesh, counts: NDArray[Any]) -> None:
-    """Refuse elements of kinds that a head cannot have."""
+    """Raise FileError for elements other than tetrahedra and hexahedra."""
     others = Counter(SOLIDS[int(count)] for count in counts if count not in (4, 8))
     if others:
         listed = " and ".join(f"{count} {kind}" for kind, count in others.items())
         first = int(mesh.ids[np.flatnonzero((counts != 4) & (counts != 8))[0]])
         message = (
-            f"{listed}, such as element {first}: a solid head has tetrahedra or hexahedra; mesh it with one of them"
+            f"{listed}, such as element {first}, are not supported; mesh a solid head with tetrahedra or hexahedra"
         )
         raise mesh.error(message)
 
 
 def _merge_nodes(mesh: Mesh, corners: NDArray[Any], kinds: NDArray[Any]) -> None:
-    """Make one of nodes at one place, where elements of the same kind have them; refuse elements that lose an edge."""
+    """Merge coincident nodes of elements of the same kind; raise FileError for elements that lose an edge."""
     gone = 0
     for kind in np.unique(kinds, axis=0):
         rows = (kinds == kind).all(axis=1)
         corners[rows], count, _ = merged(mesh.points, corners[rows])
         gone += count
     if gone:
-        mesh.notes.append(f"{gone} nodes at the place of another are merged with it")
+        mesh.notes.append(f"{gone} coincident nodes are merged")
     ordered = np.sort(corners, axis=1)
     doubled = ((ordered[:, 1:] == ordered[:, :-1]) & (ordered[:, 1:] >= 0)).any(axis=1)
     if doubled.any():
         element = mesh.ids[int(np.argmax(doubled))]
-        raise mesh.error(f"element {element} is degenerate: it has two nodes at one place")
+        raise mesh.error(f"element {element} is degenerate: two of its nodes coincide")
 
 
 def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray[Any], hexahedra: NDArray[Any],
                   hexahedron_ids: NDArray[Any]) -> None:  # fmt: skip
-    """Turn elements whose nodes are listed the other way round; refuse flat ones."""
+    """Reorder inside-out elements; raise FileError for flat ones."""
     volumes = tetrahedron_volumes(mesh.points, tetrahedra)
     inside = volumes < 0.0
     tetrahedra[inside] = tetrahedra[inside][:, [0, 2, 1, 3]]
@@ -134,7 +135,7 @@ def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray
     hexahedra[size < 0.0] = hexahedra[size < 0.0][:, TOP_FIRST]
     turned = int(inside.sum()) + int((size < 0.0).sum())
     if turned:
-        mesh.notes.append(f"{turned} elements list their nodes the other way round, which is turned")
+        mesh.notes.append(f"{turned} elements were inside out; the order of their nodes was corrected")
     for value, ids in ((volumes, tetrahedron_ids), (size, hexahedron_ids)):
         if len(value) and np.abs(value).min() <= 1e-9 * np.median(np.abs(value)):
             flattest = ids[int(np.abs(value).argmin())]
@@ -142,7 +143,7 @@ def _turn_outward(mesh: Mesh, tetrahedra: NDArray[Any], tetrahedron_ids: NDArray
 
 
 def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any]) -> None:
-    """Note the flattest tetrahedron if a run has many more steps for it."""
+    """Note the flattest tetrahedron if it makes a run much slower."""
     if not len(tetrahedra):
         return
     corners = mesh.points[tetrahedra]
@@ -154,13 +155,13 @@ def _note_sliver(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any]) -> Non
     slower = float(np.median(height) / height[flattest])
     if slower > SLIVER:
         mesh.notes.append(
-            f"element {ids[flattest]} is {slower:.0f} times flatter than most, and a run takes about as many times"
-            " longer for it; mesh the head without slivers"
+            f"element {ids[flattest]} is {slower:.0f} times flatter than most, which makes a run about as many times"
+            " longer; mesh the head without slivers"
         )
 
 
 def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexahedra: NDArray[Any]) -> None:
-    """Refuse a side of a tetrahedron on that of a hexahedron, where the nodes in the middle of edges would hang."""
+    """Raise FileError if a tetrahedron shares a side with a hexahedron, where mid-edge nodes would be hanging."""
     if not len(tetrahedra) or not len(hexahedra):
         return
     sides = hexahedra[:, HEXAHEDRON_SIDES].reshape(-1, 4)
@@ -171,23 +172,23 @@ def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexah
     for element, own in zip(ids.tolist(), of_tetrahedra.tolist(), strict=True):
         if any(tuple(side) in of_hexahedra for side in own):
             message = (
-                f"element {element}, a tetrahedron, shares a side with a hexahedron: mesh both parts with one kind, or"
-                " give each part nodes of its own and join the two under [[bonds]]"
+                f"element {element}, a tetrahedron, shares a side with a hexahedron; mesh both parts with one kind, or"
+                " give each part its own nodes and join them under [[bonds]]"
             )
             raise mesh.error(message)
 
 
 def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any], cosine: float) -> NDArray[Any]:
-    """Return the sides that face along a normal and hang together with the one nearest to the origin.
+    """Return the sides that face along a normal and are connected to the one nearest to the origin.
 
-    ``sides`` are quadrilaterals, shape (m, 4), a triangle with its last corner twice, and ``cosine`` is the least one
-    of the angle between a side's normal and ``normal``, a unit vector.
+    ``sides`` are quadrilaterals, shape (m, 4); a triangle repeats its last corner. ``cosine`` is the minimum cosine of
+    the angle between a side's normal and ``normal``, a unit vector.
     """
     area = area_vectors(nodes, sides)
     facing = sides[area @ normal >= cosine * np.linalg.norm(area, axis=1)]
     if not len(facing):
         return facing
-    # Every node takes the least number of those that it hangs together with.
+    # Each node takes the smallest label among the nodes it is connected to.
     label = np.arange(len(nodes))
     while True:
         least = label[facing].min(axis=1)

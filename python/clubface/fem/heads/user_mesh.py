@@ -1,4 +1,4 @@
-"""A head from your own mesh, of shells or solid: thickness and metal by group, from its file or from cards."""
+"""A head from a user's mesh of shells or solid elements, with thickness and metal by group."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from clubface.equipment.described import FLAT
 from clubface.errors import InputError, MeshWarning, UnknownNameError
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.geometry import area_vectors, sums_at_nodes, unshared_sides
-from clubface.fem.heads.added_mass import MASSES, Place, note_of, spread
+from clubface.fem.heads.added_mass import MASSES, Place, spread, spread_note
 from clubface.fem.heads.mesh_frame import check_frame
 from clubface.fem.heads.mesh_groups import (
     GROUP_TABLE,
@@ -50,14 +50,14 @@ from clubface.schema import (
 from clubface.support.checks import warn_once
 
 SIZES = (0.06, 0.2)
-"""Least and largest size of a head along an axis [m]: between them a unit that is another one is seen, inches for
-centimetres too."""
+"""Smallest and largest size of a head along an axis [m]; narrow enough to detect a wrong unit, even inches for
+centimetres."""
 AT_NODE = 2e-5
-"""How near to a node a point mass of a mesh file stands on it [m]."""
+"""Distance within which a point mass of a mesh file is placed on a node [m]."""
 REACHED = 0.012
-"""Radius about the face centre that a ball touches in a fast drive [m]."""
+"""Radius about the face centre that a ball covers in a fast drive [m]."""
 FLUSH_COSINE = math.cos(math.radians(20.0))
-"""Cosine of the angle to the face normal up to which another group continues the face."""
+"""Cosine of the angle to the face normal up to which elements of another group continue the face."""
 FACE_COSINE = math.cos(math.radians(45.0))
 """Cosine of the angle to the face normal up to which the ball may touch an element of a face group."""
 
@@ -67,25 +67,25 @@ BOND = {
     "to": NAME,
     "within": PhysicalValue("mm", 0, 2),
 }
-"""The kinds of the values of a bond."""
+"""Types of the values of a bond."""
 BOND_TABLE = Record(BOND, ("part", "to"), make=lambda values, _: Bond(**values))
 RADIUS = PhysicalValue("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
 
 
 @dataclass(frozen=True, kw_only=True)
 class MeshHead:
-    """A head that is a mesh in a file: of its middle surfaces by shells, or of its walls by solid elements.
+    """A head defined by a mesh file: shells on its middle surfaces, or solid elements.
 
     The axes of the file are x towards the target, y up and z towards the toe, with the club soled.
 
-    Every element of the mesh belongs to one of the groups; with groups of solid elements those of surfaces are left
-    out. Parts of solid elements that share no nodes are joined by bonds.
+    Every element of the mesh must belong to one of the groups; if the groups are solid elements, surface elements are
+    left out. Solid parts that share no nodes are joined by bonds.
     """
 
-    name: str = file_key(NAME, "its name in tables")
+    name: str = file_key(NAME, "name shown in tables")
     description: str = file_key(TEXT, "one sentence", default="")
     file: str | os.PathLike[str] = file_key(
-        FilePath("a path"), "a mesh: Gmsh, Abaqus, Nastran, LS-DYNA, STL or of meshlane"
+        FilePath("a path"), "mesh file: Gmsh, Abaqus, Nastran, LS-DYNA, STL, or a format of meshlane"
     )
     unit: str = file_key(TEXT, "unit of the lengths in the mesh", default="mm")
     loft: float = file_key(PhysicalValue("deg", 0, 75), "elevation of the face normal at the face centre")
@@ -93,14 +93,14 @@ class MeshHead:
     roll: float = file_key(RADIUS, "radius of the face from sole to crown", default=math.inf)
     face_centre: tuple[Any, Any, Any] = file_key(
         Simple("three lengths"),
-        "place of the face centre in the mesh, on the outer side: numbers in its unit, or text with units",
+        "face centre in the mesh, on the outer side; numbers in the mesh's unit, or text with units",
         default=(0.0, 0.0, 0.0),
     )
     groups: tuple[Group, ...] = file_key(Tables(GROUP_TABLE), "thickness and metal of the parts of the mesh")
-    element: str = file_key(Choice(ELEMENTS), "kind of the hexahedra", default="one-point")
+    element: str = file_key(Choice(ELEMENTS), "kind of hexahedra", default="one-point")
     bonds: tuple[Bond, ...] = file_key(Tables(BOND_TABLE, "bond"), "solid parts that are bonded to others", default=())
     masses: Mapping[str, Place] = file_key(
-        MASSES, "added masses, the place counted from the face centre", default_factory=dict
+        MASSES, "added masses, at places relative to the face centre", default_factory=dict
     )
 
     def __post_init__(self) -> None:
@@ -115,17 +115,17 @@ class MeshHead:
                 if name not in names:
                     raise UnknownNameError("group of a bond", name, names)
             if bond.part == bond.to:
-                raise InputError("bond", f"{bond.part} to itself", "two groups whose surfaces lie on each other")
+                raise InputError("bond", f"{bond.part} to itself", "two different groups")
 
     def mesh(self) -> ShellHead | SolidHead:
-        """Read the file and return the head; what was changed or left out of it is a warning.
+        """Read the file and return the head; warn about everything changed or left out.
 
         Raises
         ------
         FileError
-            The file cannot be read, has elements that no head of shells has, or has some that belong to no group.
+            The file cannot be read, has elements unsuitable for a head, or has elements that belong to no group.
         InputError
-            The mesh is no head in the given unit, or does not lie as loft, radii and face centre say.
+            The mesh is not a head in the given unit, or disagrees with the given loft, radii or face centre.
         """
         path = os.fspath(self.file)
         mesh = read_mesh(path)
@@ -136,10 +136,10 @@ class MeshHead:
         return head
 
     def in_folder(self, folder: str | os.PathLike[str] | None) -> dict[str, Any]:
-        """Return what a file in a folder says of the head otherwise: it names the mesh from there."""
+        """Return the values to write for a file in ``folder``, with the mesh's path relative to it."""
         path = os.fspath(self.file)
         if folder is not None:
-            with suppress(ValueError):  # of another drive: its full path
+            with suppress(ValueError):  # on another drive, keep the full path
                 path = os.path.relpath(path, folder)
         return {
             "file": path.replace(os.sep, "/"), "groups": [group_values(group) for group in self.groups],
@@ -148,7 +148,7 @@ class MeshHead:
         }  # fmt: skip
 
     def _shells(self, mesh: Mesh) -> ShellHead:
-        """Return the head of shells."""
+        """Return a shell head of the mesh."""
         if self.bonds:
             raise InputError("bonds", [bond.part for bond in self.bonds], "none: shells are joined by shared nodes")
         of_group, is_face = assign(mesh, self.groups), np.array([group.face for group in self.groups])
@@ -174,7 +174,7 @@ class MeshHead:
         return head
 
     def _solid(self, mesh: Mesh) -> SolidHead:
-        """Return the head of solid elements."""
+        """Return a solid head of the mesh."""
         of_group = assign(mesh, self.groups)
         metals = metals_of(mesh, self.groups, of_group, self.unit)
         names = [group.name for group in self.groups]
@@ -182,12 +182,12 @@ class MeshHead:
         nodes = self._placed(solids.points)
         masses, at_nodes = self._masses(mesh, nodes)
         of_face = [part for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
-        # Between two parts of the face there is no outside.
+        # Interfaces between two parts of the face are not outer sides.
         outside = unshared_sides(np.concatenate([part.outside() for part in of_face]), 4)
         normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
         face = facing_sides(nodes, outside, normal, FACE_COSINE)
         if not len(face):
-            allowed = "a group whose outside faces the ball, within 45 deg of the normal of the loft"
+            allowed = "a group with outer sides that face the ball, within 45 deg of the face normal"
             raise InputError("face", ", ".join(part.name for part in of_face), allowed)
         groups = [np.unique(np.concatenate([part.hexahedra.ravel(), part.tetrahedra.ravel()])) for part in solids.parts]
         self._check_frame(mesh, nodes, face, 0.0, solids.node_ids != 0, groups, masses)
@@ -201,15 +201,15 @@ class MeshHead:
 
     def _carrying(self, mesh: Mesh, nodes: NDArray[Any], metal: NDArray[Any], at_nodes: NDArray[Any],
                   face: NDArray[Any], masses: Mapping[str, Place], **negligible: float) -> dict[str, Any]:  # fmt: skip
-        """Return what heads of both kinds have: name, shape, nodes, and the masses that these carry."""
+        """Return the fields common to both kinds of head: name, shape, nodes, and added masses at nodes."""
         carried = spread(masses, nodes, metal, face)
-        if (note := note_of(carried, **negligible)) is not None:
+        if (note := spread_note(carried, **negligible)) is not None:
             mesh.notes.append(note)
         own = {name: getattr(self, name) for name in ("name", "description", "loft", "bulge", "roll")}
         return own | {"nodes": nodes, "added": carried.added + at_nodes}
 
     def _placed(self, points: NDArray[Any]) -> NDArray[Any]:
-        """Return points of the file as seen from the face centre [m]."""
+        """Return points of the file relative to the face centre [m]."""
         self._check_unit(float(np.ptp(points, axis=0).max()))
         size = units.parse(f"1 {self.unit}", "length")
         return points * size - self._centre(size)
@@ -218,7 +218,7 @@ class MeshHead:
         return np.array([units.parse(x, "length") if isinstance(x, str) else x * size for x in self.face_centre])
 
     def _masses(self, mesh: Mesh, nodes: NDArray[Any]) -> tuple[dict[str, Place], NDArray[Any]]:
-        """Return the masses at places, those of the mesh among them, and what stands on nodes of the mesh [kg]."""
+        """Return all added masses by place, including those of the mesh, and point masses at nodes of the mesh [kg]."""
         size = units.parse(f"1 {self.unit}", "length")
         masses, at_nodes = dict(self.masses), np.zeros(len(nodes))
         for number, (x, y, z, mass) in enumerate(point_masses(mesh, self.unit), 1):
@@ -231,9 +231,9 @@ class MeshHead:
         return masses, at_nodes
 
     def _parts(self, nodes: NDArray[Any], shells: Shells, metals: Sequence[Metal]) -> tuple[Part, ...]:
-        """Sort the shells by part and return the parts: a face group's elements that are turned away are one by itself.
+        """Sort the shells by part and return the parts; elements of a face group that face away become a separate part.
 
-        A group of the face may wrap round its edge, as a cup does, and the whole head of a file without sets is one.
+        A face group may wrap around the edge, as in a cup face, or contain the whole head if the file has no sets.
         """
         toward = self._facing(nodes, shells)
         away = np.array([group.face for group in self.groups])[shells.group] & (toward < FACE_COSINE)
@@ -251,32 +251,31 @@ class MeshHead:
                     parts.append(Part(name, count, metal, face))
                 if count and name != group.name:
                     shells.mesh.notes.append(
-                        f"{count} elements of {group.name} are turned away from the ball by more than 45 deg and are"
-                        " no part of the face that it may touch"
+                        f"{count} elements of {group.name} face away from the ball by more than 45 deg and do not"
+                        " belong to the face that it may touch"
                     )
         return tuple(parts)
 
     def _check_unit(self, across: float) -> None:
-        """Refuse a unit in which a head that measures ``across`` in the file would be too large or too small."""
+        """Raise InputError if a head of extent ``across`` in the file is too large or too small in its unit."""
         sizes = {unit: units.parse(f"1 {unit}", "length") * across for unit in (self.unit, "mm", "cm", "in", "m")}
         fitting = [unit for unit, size in sizes.items() if SIZES[0] <= size <= SIZES[1]]
         if self.unit in fitting:
             return
         least, most = (units.show(each, "mm") for each in SIZES)
-        shown = f"with it the size of the head is {units.show(sizes[self.unit], 'mm')}, {least} to {most} is allowed"
+        shown = f"with this unit the head measures {units.show(sizes[self.unit], 'mm')}; {least} to {most} is allowed"
         better = " or ".join(f'unit = "{unit}"' for unit in fitting)
-        hint = f"try {better}" if better else "no unit makes a head of this mesh"
-        allowed = f'the unit of lengths in {os.fspath(self.file)}, "mm" where left out: {shown}; {hint}'
+        hint = f"try {better}" if better else "no unit gives a plausible size"
+        allowed = f'the length unit of {os.fspath(self.file)} (default "mm"): {shown}; {hint}'
         raise InputError("unit", self.unit, allowed)
 
     def _check_frame(
         self, mesh: Mesh, nodes: NDArray[Any], sides: NDArray[Any], wall: float, drawn: NDArray[Any],
         groups: Sequence[NDArray[Any]], masses: Mapping[str, Place],
     ) -> None:  # fmt: skip
-        """Refuse a face centre that is not on the face, and a mesh whose position disagrees with this.
+        """Raise InputError if the face centre is not on the face, or the mesh disagrees with this head.
 
-        ``sides`` are the elements of the face, ``wall`` [m] how thick it is about them, and ``groups`` the nodes of the
-        groups.
+        ``sides`` are the elements of the face, ``wall`` [m] its thickness, and ``groups`` the nodes of each group.
         """
         corners = nodes[sides]
         near = float(np.linalg.norm(corners, axis=-1).min())
@@ -284,7 +283,7 @@ class MeshHead:
         shown = ", ".join(str(x) for x in self.face_centre)
         if near > side + wall:
             away = f"the nearest node of the face is {units.show(near, 'mm')} away"
-            raise InputError("face_centre", shown, f"a place on the face, in {self.unit} as the file: {away}")
+            raise InputError("face_centre", shown, f"a point on the face, in {self.unit} as in the file; {away}")
         parts = {group.name: nodes[own] for group, own in zip(self.groups, groups, strict=True)}
         parts |= {name: np.array([place[:3]]) for name, place in masses.items()}
         check_frame(
@@ -293,12 +292,12 @@ class MeshHead:
         )  # fmt: skip
 
     def _facing(self, nodes: NDArray[Any], shells: Shells) -> NDArray[Any]:
-        """Return the cosine of the angle between the normal of each element and that of the face."""
+        """Return the cosine of the angle between each element's normal and the face normal."""
         normal = area_vectors(nodes, shells.corners)
         return normal @ [math.cos(self.loft), math.sin(self.loft), 0.0] / np.linalg.norm(normal, axis=1)
 
     def _note_rest_of_face(self, nodes: NDArray[Any], shells: Shells, face: NDArray[Any]) -> None:
-        """Note groups that the ball reaches in a strike at the face centre although they are no part of the face."""
+        """Note groups outside the face that the ball reaches when struck at the face centre."""
         away = np.linalg.norm(nodes[shells.corners].mean(axis=1), axis=1)
         rest = ~face & (self._facing(nodes, shells) > FLUSH_COSINE) & (away < REACHED)
         for place in np.unique(shells.group[rest]):
@@ -306,18 +305,18 @@ class MeshHead:
             shells.mesh.notes.append(
                 f"{int(own.sum())} elements of {self.groups[place].name} continue the face within"
                 f" {units.show(REACHED, 'mm')} of the face centre, the nearest"
-                f" {units.fixed(float(away[own].min()), 'mm', 1)} from it, and are no part of the face, at whose edge"
-                " contact ends; give them to a group with face = true"
+                f" {units.fixed(float(away[own].min()), 'mm', 1)} from it, but do not belong to the face, and contact"
+                " ends at its edge; assign them to a group with face = true"
             )
 
 
 def beyond(group: str) -> str:
-    """Return the name of the part of a group of the face that is turned away from the ball."""
+    """Return the name of the part with those elements of a face group that face away from the ball."""
     return f"{group}, beyond"
 
 
 def _weigh(head: MeshedHead, ids: NDArray[Any], node_ids: NDArray[Any]) -> None:
-    """Weigh a head, for which the core checks its mesh; elements and nodes go by the numbers of the file in errors."""
+    """Compute mass properties, so that the core checks the mesh; errors give element and node numbers of the file."""
     try:
         _ = head.club
     except InputError as error:
@@ -332,7 +331,7 @@ def _weigh(head: MeshedHead, ids: NDArray[Any], node_ids: NDArray[Any]) -> None:
 
 
 def _check_place(name: str, given: Any) -> None:
-    """Refuse what is not three lengths."""
+    """Raise InputError unless the value is three lengths."""
     if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 3:
         raise InputError(name, given, "three lengths")
     for each in given:

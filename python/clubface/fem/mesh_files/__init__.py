@@ -1,4 +1,4 @@
-"""Mesh files of mesh generators: Gmsh, Abaqus, Nastran, LS-DYNA and STL; other formats through meshlane."""
+"""Readers of mesh files: Gmsh, Abaqus, Nastran, LS-DYNA and STL; other formats through meshlane."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Meshes of Abaqus (.inp): flat, or as parts with instances; element sets, shell sections and materials."""
+"""Reader of Abaqus meshes (.inp), flat or with parts and instances: element sets, shell sections and materials."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from clubface.errors import shortened
 from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
 
 SHELL = re.compile(r"(?:S|STRI|DS|CPS|CPE|CPEG|CAX|M3D|R3D|SFM3D|F3D|DC2D)(?P<nodes>3|4|6|8|9)(?!\d)|STRI65")
-"""Names of surface elements; generators that know no structure write plane ones (CPS4) for them."""
+"""Types of surface elements; some generators write them as plane elements (CPS4)."""
 SOLID = re.compile(r"(?:C3D|DC3D|AC3D|SC|CSS)(\d+)")
 LINE = re.compile(r"T2D|T3D|B2|B3|FRAME|PIPE|CONN|SPRING|DASHPOT|MASS|ROTARY|GAP|ELBOW|RB[23]|SAX")
 GENERATORS = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")
-"""Keywords that make or move nodes and elements."""
+"""Keywords that generate or move nodes and elements."""
 LARGEST_RANGE = 10_000_000
-"""Elements that a GENERATE line may span."""
+"""Maximum number of elements in the range of a GENERATE line."""
 
 
 class _Keyword(NamedTuple):
-    """A keyword with its options in capitals, and its lines of data."""
+    """A keyword with its options (keys in capitals) and its data lines."""
 
     line: int
     name: str
@@ -32,11 +32,11 @@ class _Keyword(NamedTuple):
 
 @dataclass
 class _Part:
-    """What stands in a part, or outside of all parts."""
+    """Contents of a part, or of the file outside parts."""
 
     name: str = ""
     nodes: list[tuple[int, int, list[str]]] = field(default_factory=list)
-    elements: list[tuple[bool, int, int, list[int]]] = field(default_factory=list)  # whether solid, line, number, nodes
+    elements: list[tuple[bool, int, int, list[int]]] = field(default_factory=list)  # is solid, line, number, nodes
     sets: dict[str, list[int | str]] = field(default_factory=dict)
     sections: list[tuple[str, str, float | None, str]] = field(default_factory=list)
     points: list[tuple[int, int, str]] = field(default_factory=list)
@@ -44,7 +44,7 @@ class _Part:
 
 
 class AbaqusReader(MeshBuilder):
-    """Reads a mesh of Abaqus; sets are its element sets, and parts under their names."""
+    """Reads a mesh of Abaqus; sets are its element sets, and its parts by name."""
 
     def __init__(self, path: str) -> None:
         super().__init__(path)
@@ -56,14 +56,14 @@ class AbaqusReader(MeshBuilder):
         self.labels: dict[str, str] = {}
 
     def read(self) -> Mesh:
-        """Return the mesh."""
+        """Read the file and return the mesh."""
         material, in_assembly = Wall(), False
         for keyword in self._keywords():
             name, options = keyword.name, keyword.options
             if name == "INCLUDE" or "INPUT" in options:
                 raise self.includes(keyword.line)
             if name in GENERATORS:
-                raise self.error(keyword.line, f"*{name} is not read; write every node and element where it stands")
+                raise self.error(keyword.line, f"*{name} is not supported; write every node and element explicitly")
             if name == "PART":
                 part = options.get("NAME", "")
                 self.part = self.parts.setdefault(part.upper(), _Part(part))
@@ -103,7 +103,7 @@ class AbaqusReader(MeshBuilder):
         return self.mesh()
 
     def _label(self, name: str) -> str:
-        """Return the name of a set as it is first written: capitals make no difference."""
+        """Return the name of a set as first written; names ignore case."""
         return self.labels.setdefault(name.upper(), name)
 
     def _keywords(self) -> Iterator[_Keyword]:
@@ -115,7 +115,7 @@ class AbaqusReader(MeshBuilder):
                 continue
             if text.startswith("*") or pending:
                 pending += text
-                if pending.endswith(","):  # options go on in the next line
+                if pending.endswith(","):  # options continue on the next line
                     continue
                 if keyword is not None:
                     yield keyword
@@ -131,10 +131,10 @@ class AbaqusReader(MeshBuilder):
 
     def _nodes(self, keyword: _Keyword) -> None:
         if keyword.options.get("SYSTEM", "R").upper() != "R":
-            raise self.error(keyword.line, "nodes are read in Cartesian coordinates alone (SYSTEM=R)")
+            raise self.error(keyword.line, "nodes must be in Cartesian coordinates (SYSTEM=R)")
         for line, cells in keyword.rows:
             if len(cells) < 4:
-                raise self.error(line, f"this node has {len(cells)} cells, not a number and three coordinates")
+                raise self.error(line, f"this node has {len(cells)} cells; a number and three coordinates are needed")
             number = self.number(line, cells[0])
             self.part.nodes.append((line, number, cells[1:4]))
 
@@ -143,13 +143,13 @@ class AbaqusReader(MeshBuilder):
         shell, solid = SHELL.match(kind), SOLID.match(kind)
         count = int(shell["nodes"] or 6) if shell else int(solid[1]) if solid else 0
         if not shell and not solid and not LINE.match(kind):
-            message = f"elements of the type {shortened(kind, 40) or '(none)'} are not read; write S3, S4 or S4R"
+            message = f"elements of the type {shortened(kind, 40) or '(none)'} are not supported; write S3, S4 or S4R"
             raise self.error(keyword.line, message)
         row: list[str] = []
         for line, cells in keyword.rows:
             row += [cell for cell in cells if cell]
             if cells[-1] == "" and len(row) < count + 1:
-                continue  # the nodes go on in the next line
+                continue  # the nodes continue on the next line
             if shell or solid:
                 numbers = [self.number(line, cell) for cell in row]
                 if len(numbers) != count + 1:
@@ -194,7 +194,7 @@ class AbaqusReader(MeshBuilder):
         self.part.sections.append((name, material, thickness, f"*{keyword.name}"))
 
     def _place_parts(self) -> None:
-        """Add the parts where their instances stand, or all of them where there are no instances."""
+        """Add the parts where their instances are, or all parts as they are if there are no instances."""
         placed = self.instances or [("", name, []) for name in self.parts if name]
         self._add("", self.parts[""], lambda place: place)
         for number, (name, part, rows) in enumerate(placed):
@@ -205,9 +205,9 @@ class AbaqusReader(MeshBuilder):
             self.add_to_set(name, [(key, member) for key in keys for member in members])
 
     def _add(self, key: str, part: _Part, moved: Callable[[Sequence[float]], Sequence[float]], name: str = "") -> None:
-        """Add a part, as an instance of this name.
+        """Add a part as an instance with this name.
 
-        Sets of the same name in several parts are several sets: they go by the name of the instance too, as
+        Sets with the same name in several parts are separate; they also have the name of the instance, as in
         "face-1.Set-1".
         """
         others = [other for other in self.parts.values() if other is not part and (other.nodes or other.elements)]
@@ -233,16 +233,16 @@ class AbaqusReader(MeshBuilder):
             self.add_wall(known, f"{what} {known}", thickness, self.materials.get(metal), material)
         for line, node, of_set in part.points:
             if of_set not in part.masses:
-                raise self.error(line, f"no *MASS says how much the elements of {of_set or 'no set'} weigh")
+                raise self.error(line, f"no *MASS gives the mass of the elements of {of_set or 'no set'}")
             self.add_mass(line, (key, node), part.masses[of_set])
 
     def _motion(self, rows: list[tuple[int, list[str]]]) -> Callable[[Sequence[float]], Sequence[float]]:
-        """Return how an instance moves its part: a translation, then a turn about the line from a point to another."""
+        """Return an instance's motion: a translation, then a rotation about the line between two points."""
         numbers = [[self.value(line, cell or "0", "number") for cell in cells] for line, cells in rows[:2]]
         shift = [*numbers[0], 0.0, 0.0, 0.0][:3]
         turn = numbers[1] if len(numbers) > 1 else []
         if turn and len(turn) != 7:
-            raise self.error(rows[1][0], "a turn of an instance is two points and an angle")
+            raise self.error(rows[1][0], "the rotation of an instance needs two points and an angle")
 
         def moved(place: Sequence[float]) -> Sequence[float]:
             place = [a + b for a, b in zip(place, shift, strict=True)]
@@ -252,7 +252,7 @@ class AbaqusReader(MeshBuilder):
 
 
 def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]) -> list[int]:
-    """Return the numbers of a set, with those of sets that it names."""
+    """Return the element numbers of a set, including those of the sets it names."""
     numbers: list[int] = []
     for member in part.sets[name]:
         if isinstance(member, int):
@@ -263,7 +263,7 @@ def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]
 
 
 def _turned(place: Sequence[float], start: Sequence[float], end: Sequence[float], angle: float) -> list[float]:
-    """Turn a place about the line from one point to another (Rodrigues)."""
+    """Rotate a point about the line from one point to another by an angle [rad] (Rodrigues)."""
     length = math.dist(start, end)
     if length == 0.0:
         return list(place)

@@ -1,7 +1,7 @@
-"""Meshes of Gmsh, versions 2 and 4, as text and binary.
+"""Reader of Gmsh meshes, versions 2 and 4, in text and binary.
 
-A section is read row by row through one interface, which text and bytes implement: what stands in a row is written
-once for both.
+Both forms of file provide their rows through the same interface, so that the contents of a section are decoded in one
+place.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder
 from clubface.support.files import read_input
 
 SHELLS = {2: 3, 3: 4, 9: 6, 10: 9, 16: 8}
-"""Numbers of nodes of the surface elements that are read, by type."""
+"""Numbers of nodes of the supported surface elements, by type."""
 SOLIDS = {4: 4, 5: 8, 6: 6, 7: 5, 11: 10, 12: 27, 13: 18, 14: 14, 17: 20, 18: 15, 19: 13}
 """Numbers of nodes of solid elements, by type."""
 NODES = {1: 2, 8: 3, 15: 1, **SHELLS, **SOLIDS}
-"""Numbers of nodes of every type that may stand in a file of a head."""
+"""Numbers of nodes of every type of element that a head's file may contain."""
 MOST_TAGS = 99
-"""Most tags of an element: its physical and geometrical group, and parts of a partition."""
+"""Maximum number of tags of an element: physical and geometrical group, and partitions."""
 
 
 class _TextRows:
-    """The rows of a section of a text file; ``line`` is that of the row."""
+    """Rows of a section in a text file; ``line`` is the current line number."""
 
     def __init__(self, builder: MeshBuilder, lines: list[str], first: int, last: int) -> None:
         self._builder, self._lines, self._next, self._last = builder, lines, first, last
@@ -34,16 +34,16 @@ class _TextRows:
         self.line: int | None = first
 
     def values(self, kinds: str) -> tuple[float, ...]:
-        """Return the next values of a row: "i" a whole number, "n" a count or tag of 8 bytes, "d" a real."""
+        """Return the next values of a row: "i" for an integer, "n" for an 8-byte count or tag, "d" for a real."""
         while not self._cells:
             if self._next >= self._last:
-                raise self._builder.error(self._next, "the section ends here, and says that it has more rows")
+                raise self._builder.error(self._next, "the section ends here, but is declared to have more rows")
             self._cells, self._next = self._lines[self._next].split(), self._next + 1
             self.line = self._next
         cells = self._cells[self._place : self._place + len(kinds)]
         if len(cells) < len(kinds):
-            missing = "a number and three coordinates" if kinds == "nddd" else "as many as its kind has"
-            raise self._builder.error(self.line, f"this row has {len(self._cells)} cells, not {missing}")
+            missing = "a number and three coordinates" if kinds == "nddd" else "as many as its kind needs"
+            raise self._builder.error(self.line, f"this row has {len(self._cells)} cells; it needs {missing}")
         self._place += len(kinds)
         return tuple(self._value(kind, cell) for kind, cell in zip(kinds, cells, strict=True))
 
@@ -53,14 +53,14 @@ class _TextRows:
         return self._builder.number(self.line, cell.removeprefix("-"))
 
     def end_row(self) -> None:
-        """Refuse a row that has more."""
+        """Raise an error if the row has more values."""
         if self._place < len(self._cells):
-            raise self._builder.error(self.line, f"this row has {len(self._cells)} cells, {self._place} are expected")
+            raise self._builder.error(self.line, f"this row has {len(self._cells)} cells instead of {self._place}")
         self._cells, self._place = [], 0
 
 
 class _ByteRows:
-    """The same of a binary file, from a place on."""
+    """Rows of a section in a binary file, from an offset on."""
 
     line = None
 
@@ -84,7 +84,7 @@ _Rows = _TextRows | _ByteRows
 
 
 class GmshReader(MeshBuilder):
-    """Reads a mesh of Gmsh; sets are its physical groups, also under their numbers."""
+    """Reads a mesh of Gmsh; sets are its physical groups, by name and by number."""
 
     def __init__(self, path: str) -> None:
         super().__init__(path)
@@ -93,7 +93,7 @@ class GmshReader(MeshBuilder):
         self.physical: dict[int, list[int]] = {}
 
     def read(self) -> Mesh:
-        """Return the mesh."""
+        """Read the file and return the mesh."""
         content = read_input(self.path)
         start = content.find(b"$MeshFormat")
         header = content[start : start + 80].split(b"\n")[1].split() if start >= 0 and b"\n" in content[start:] else []
@@ -102,10 +102,10 @@ class GmshReader(MeshBuilder):
         except (IndexError, ValueError):
             raise FileError(self.path, None, "this mesh cannot be read: $MeshFormat is missing") from None
         if not 2.0 <= self.version < 3.0 and not 4.0 <= self.version < 5.0:
-            message = f"version {self.version:g} of Gmsh's format is not read; write version 2 or 4"
+            message = f"version {self.version:g} of Gmsh's format is not supported; write version 2 or 4"
             raise FileError(self.path, 2, message)
         self._binary(content) if binary else self._text(content)
-        # The number of a surface counts where a volume has the same.
+        # If a surface and a volume have the same number, it refers to the surface.
         groups = sorted(self.names.items(), reverse=True)
         self.aliases = {str(number): name for (dimension, number), name in groups if dimension in (2, 3)}
         return self.mesh()
@@ -121,7 +121,7 @@ class GmshReader(MeshBuilder):
             elif text.startswith("$"):
                 start = number
         if start is not None:
-            message = f"the section {shortened(lines[start], 40)} that begins in line {start + 1} does not end"
+            message = f"the section {shortened(lines[start], 40)} that begins in line {start + 1} has no end"
             raise FileError(self.path, None, f"this mesh cannot be read: {message}")
 
     def _section(self, name: str, lines: list[str], start: int, end: int) -> None:
@@ -130,7 +130,7 @@ class GmshReader(MeshBuilder):
         elif (reader := self._reader(name)) is not None:
             if self.version < 3.0 and lines[start + 1].strip() != str(end - start - 2):
                 stated, has = shortened(lines[start + 1].strip(), 40), max(0, end - start - 2)
-                raise FileError(self.path, start + 2, f"this section says that it has {stated} lines, but has {has}")
+                raise FileError(self.path, start + 2, f"this section is declared to have {stated} lines, but has {has}")
             reader(_TextRows(self, lines, start + 1, end))
 
     def _reader(self, name: str) -> Callable[[_Rows], None] | None:
@@ -169,7 +169,7 @@ class GmshReader(MeshBuilder):
                 self.names[int(dimension), int(number)] = name[0]
 
     def _count(self, rows: _Rows) -> int:
-        """Return the count at the start of a section of version 2; it is text in a binary file too."""
+        """Return the count at the start of a version 2 section, which is text even in a binary file."""
         if isinstance(rows, _ByteRows):
             end = rows._content.find(b"\n", rows.at)
             text = rows._content[rows.at : end].decode("latin-1")
@@ -194,7 +194,7 @@ class GmshReader(MeshBuilder):
                 kind, several, tags = map(int, rows.values("iii"))
                 self._check_kind(rows, kind)
                 if several < 1:
-                    raise self.error(None, "a block of elements has none")
+                    raise self.error(None, "a block of elements is empty")
             else:
                 several, tags, kind = 1, 0, 0
             for _ in range(several):
@@ -204,7 +204,7 @@ class GmshReader(MeshBuilder):
                     number, kind, tags = map(int, rows.values("nnn"))
                     self._check_kind(rows, kind)
                 if not 0 <= tags <= MOST_TAGS:
-                    raise self.error(rows.line, f"this element says that it has {tags} tags")
+                    raise self.error(rows.line, f"this element is declared to have {tags} tags")
                 taken = rows.values("i" * tags) if tags else ()
                 nodes = rows.values("i" * NODES[kind])
                 rows.end_row()
@@ -227,7 +227,7 @@ class GmshReader(MeshBuilder):
 
     @staticmethod
     def _some(rows: _Rows) -> list[int]:
-        """Return as many tags as the next count says."""
+        """Return the tags that follow their count."""
         (count,) = rows.values("n")
         return [int(rows.values("i")[0]) for _ in range(int(count))]
 
@@ -239,7 +239,7 @@ class GmshReader(MeshBuilder):
     def _nodes_4(self, rows: _Rows) -> None:
         for _ in range(self._blocks(rows)):
             dimension, _, parametric, count = map(int, rows.values("iiin"))
-            if self.version < 4.05:  # tag and dimension stand the other way round
+            if self.version < 4.05:  # tag and dimension are in the opposite order
                 dimension = 0
             rows.end_row()
             more = "d" * (dimension if parametric and self.version > 4.05 else 0)
@@ -275,7 +275,7 @@ class GmshReader(MeshBuilder):
     def _check_kind(self, rows: _Rows, kind: int) -> None:
         if kind not in NODES:
             write = "write triangles and quadrilaterals of order 1 or 2"
-            raise self.error(rows.line, f"elements of type {kind} of Gmsh are not read; {write}")
+            raise self.error(rows.line, f"Gmsh elements of type {kind} are not supported; {write}")
 
     def _add(self, line: int | None, kind: int, number: int, nodes: tuple[float, ...] | list[float],
              groups: list[int]) -> None:  # fmt: skip

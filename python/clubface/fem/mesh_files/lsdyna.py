@@ -1,4 +1,4 @@
-"""Keyword decks of LS-DYNA (.k, .key, .dyn), those that clubface writes among them; sets are the parts."""
+"""Reader of LS-DYNA keyword decks (.k, .key, .dyn), including those written by clubface; sets are the parts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from clubface.errors import shortened
 from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
 
 METALS = ("ELASTIC", "001", "PLASTIC_KINEMATIC", "003", "RIGID", "020", "PIECEWISE_LINEAR_PLASTICITY", "024")
-"""Materials whose first card is number, density, Young's modulus, Poisson's ratio."""
+"""Materials whose first card holds number, density, Young's modulus and Poisson's ratio."""
 
 
 class _Row(NamedTuple):
@@ -20,7 +20,7 @@ class _Row(NamedTuple):
     text: str
 
     def fields(self, *widths: int) -> list[str]:
-        """Return its fields: of fixed widths, or between commas."""
+        """Split the line into fields of fixed widths, or at commas."""
         if "," in self.text:
             return [*(each.strip() for each in self.text.split(",")), *[""] * len(widths)][: len(widths)]
         cells, at = [], 0
@@ -31,7 +31,7 @@ class _Row(NamedTuple):
 
 
 class DeckReader(MeshBuilder):
-    """Reads the elements of a keyword deck."""
+    """Reads a mesh from a keyword deck."""
 
     def __init__(self, path: str) -> None:
         super().__init__(path)
@@ -42,7 +42,7 @@ class DeckReader(MeshBuilder):
         self.metals: dict[int, Wall] = {}
 
     def read(self) -> Mesh:
-        """Return the mesh."""
+        """Read the file and return the mesh."""
         for line, keyword, rows in self._keywords():
             name = keyword.removesuffix("_TITLE")
             titled = name != keyword
@@ -71,7 +71,7 @@ class DeckReader(MeshBuilder):
             elif name.startswith("SECTION_SHELL"):
                 self._sections(rows, titled)
             elif name.removeprefix("MAT_") in METALS and name.startswith("MAT_"):
-                # Of the other laws, whose cards are several, one stands under a keyword.
+                # Only the laws with a single card allow several materials under one keyword.
                 single = name.removeprefix("MAT_") in METALS[:2]
                 for row in rows[titled :: 1 + titled] if single else rows[titled : titled + 1]:
                     self._metal(row)
@@ -90,7 +90,7 @@ class DeckReader(MeshBuilder):
             line, keyword, rows = number, words[0] if words else "", []
             long = any(each in text.upper().replace(" ", "") for each in ("LONG=Y", "I10=Y"))
             if long or keyword.endswith(("%", "+")) or words[1:2] in (["%"], ["+"]):
-                raise self.error(number, "decks in the long or i10 format are not read; write the standard format")
+                raise self.error(number, "decks in the long or i10 format are not supported; write the standard format")
             if keyword == "END":
                 return
         yield line, keyword, _without_end(rows)
@@ -109,7 +109,7 @@ class DeckReader(MeshBuilder):
                 thickness = sum(own) / len(own) if own and all(own) else math.nan
             numbers = [self.number(row.line, each) for each in nodes if each and each != "0"]
             if len(numbers) not in (3, 4, 6, 8):
-                raise self.error(row.line, f"this element has {len(numbers)} nodes, not 3, 4, 6 or 8")
+                raise self.error(row.line, f"this element has {len(numbers)} nodes instead of 3, 4, 6 or 8")
             element = self.number(row.line, number, "an element")
             self.elements.append((row.line, element, self.number(row.line, part, "a part"), numbers, thickness))
 
@@ -119,13 +119,13 @@ class DeckReader(MeshBuilder):
             number, part, *nodes = row.fields(*[8] * 10)
             if numbers is None:
                 numbers = self.number(row.line, number, "an element"), self.number(row.line, part, "a part")
-                # In the format of two lines the second has the nodes; the first, number and part alone.
+                # In the two-line format, the first line has number and part only, the second the nodes.
                 if not any(nodes) or len(row.text.split()) == 2:
                     continue
             else:
                 nodes = [number, part, *nodes]
             own = [self.number(row.line, each) for each in nodes if each and each != "0"]
-            # Tetrahedra, wedges and pyramids are hexahedra that repeat nodes.
+            # Tetrahedra, wedges and pyramids are written as hexahedra with repeated nodes.
             self.solids.append((row.line, *numbers, list(dict.fromkeys(own))))
             numbers = None
 
@@ -147,7 +147,7 @@ class DeckReader(MeshBuilder):
             if thickness:
                 value = self.value(cards[1].line, thickness, "thickness")
                 self.sections[self.number(cards[0].line, number, "a section")] = value
-            # A composite has a card with the angles of every eight of its points.
+            # A composite has another card with angles for every eight of its points.
             more = -(-int(points) // 8) if angles == "1" and points.isdecimal() else 0
             at += 2 + min(more, len(rows)) + titled
 
@@ -175,13 +175,13 @@ class DeckReader(MeshBuilder):
             material = f"*MAT {metal}" if metal else ""
             self.add_wall(names[number], source, self.sections.get(section), self.metals.get(metal), material)
             self.aliases[str(number)] = names[number]
-            # A title of clubface's own decks is that of the head and of the part: "paper: face".
+            # In clubface's own decks, titles consist of head and part: "paper: face".
             short = shortened(names[number], 200).rpartition(": ")[2]
             self.aliases.setdefault(short, names[number])
         return self.mesh()
 
 
 def _without_end(rows: list[_Row]) -> list[_Row]:
-    """Return the rows of a keyword without blank ones at its end; elsewhere a blank row is a card or a title."""
+    """Drop blank rows at the end of a keyword; elsewhere a blank row is a card or a title."""
     last = max((place for place, row in enumerate(rows) if row.text.strip()), default=-1)
     return rows[: last + 1]

@@ -1,4 +1,4 @@
-"""What is taken from a mesh file, and what every reader fills it by: one rule for numbers, nodes and elements."""
+"""Contents of a mesh file, and the builder that all readers share, with one set of checks for numbers and elements."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from clubface.errors import FileError, shortened
 from clubface.support.files import read_input
 
 LARGEST_NUMBER = 999_999_999
-"""Largest number of a node or an element; numbering is free, and only what is there takes memory."""
+"""Largest number of a node or an element; numbers may have gaps, which take no memory."""
 FARTHEST = 1e6
-"""Largest coordinate, in whatever unit: a head in um has 1e5."""
+"""Largest coordinate, in any unit: a head measures 1e5 um."""
 CORNERS = {3: 3, 6: 3, 7: 3, 4: 4, 8: 4, 9: 4}
-"""Corners of a shell, by its number of nodes; corners come first in every format, then nodes on edges and inside."""
+"""Corners of a shell by its number of nodes; in every format corners come first, then nodes on edges and inside."""
 SOLID_CORNERS = {4: 4, 10: 4, 5: 5, 13: 5, 14: 5, 6: 6, 15: 6, 18: 6, 8: 8, 20: 8, 27: 8}
-"""Corners of a solid element, by its number of nodes."""
+"""Corners of a solid element by its number of nodes."""
 SOLIDS = {4: "tetrahedra", 5: "pyramids", 6: "wedges", 8: "hexahedra"}
-"""Kinds of solid elements, by their number of corners."""
+"""Kinds of solid elements by their number of corners."""
 
 
 @dataclass(kw_only=True)
 class Wall:
-    """What cards of a file say of the elements of one set, in the units of the file; None where they say nothing.
+    """Data on cards about the elements of one set, in the units of the file; None if missing.
 
-    ``source`` names the cards, such as "PSHELL 1 and MAT1 7", and ``material`` the material that they name, which may
-    be one that is not read or not there, such as "MAT 7".
+    ``source`` names the cards, such as "PSHELL 1 and MAT1 7", and ``material`` the material they refer to, such as
+    "MAT 7", which may be missing or of an unsupported kind.
     """
 
     thickness: float | None = None
@@ -44,34 +44,34 @@ class Wall:
 
 @dataclass(kw_only=True)
 class Mesh:
-    """The elements of a mesh file: those of surfaces, or the solid ones.
+    """Elements of a mesh file: either its surface elements or its solids.
 
     Attributes
     ----------
     path
         The file.
     points
-        Places of the nodes, in the unit of the file, shape (n, 3).
+        Positions of nodes in the unit of the file, shape (n, 3).
     node_ids
-        Their numbers in the file, shape (n,).
+        Node numbers in the file, shape (n,).
     corners
-        Nodes of each element, as rows of ``points``, shape (m, 4) of surfaces or (m, 8) of solids; -1 fills up.
+        Nodes of each element, as rows of ``points``, shape (m, 4) for surfaces or (m, 8) for solids; -1 pads.
     ids
-        Numbers of the elements in the file, shape (m,).
+        Element numbers in the file, shape (m,).
     thickness
-        What the file says of the thickness of each element by itself, in its unit; NaN where it says nothing.
+        Individual thickness of each element in the unit of the file; NaN if not given.
     sets
-        Elements of each set, as rows of ``corners``, by name.
+        Elements of each set by name, as rows of ``corners``.
     aliases
-        Other names of sets, such as the number of a physical group.
+        Other names of sets, such as physical group numbers.
     walls
-        What cards say of the elements of a set, by its name.
+        Data on cards, by name of the set.
     masses
         Point masses: x, y, z and mass, in the units of the file.
     notes
-        What was done or left out, in sentences.
+        Sentences about changes and omissions.
     solids
-        The solid elements of the file; None in the mesh of these.
+        The solid elements of the file; None in the mesh of solids itself.
     """
 
     path: str
@@ -88,13 +88,13 @@ class Mesh:
     solids: Mesh | None = None
 
     def error(self, message: str) -> FileError:
-        """Return an error of the file."""
+        """Return an error about the file."""
         return FileError(self.path, None, message)
 
 
 @dataclass
 class _Rows:
-    """Elements as they are read: line, number and nodes of each; and the rows of each set and of each key."""
+    """Elements as read: line, number and nodes of each; and the rows of each set and key."""
 
     elements: list[tuple[int | None, int, tuple[Hashable, ...]]] = field(default_factory=list)
     thickness: list[float] = field(default_factory=list)
@@ -104,7 +104,7 @@ class _Rows:
 
     def add(self, line: int | None, number: int, nodes: Sequence[Hashable], corners: int, sets: Iterable[str],
             key: Hashable, thickness: float = math.nan) -> None:  # fmt: skip
-        """Add an element whose corners are its first nodes."""
+        """Add an element whose first nodes are its corners."""
         row = len(self.elements)
         self.higher += len(nodes) > corners
         self.elements.append((line, number, tuple(nodes[:corners])))
@@ -115,18 +115,18 @@ class _Rows:
 
 
 class MeshBuilder:
-    """Collects nodes and elements of a file in any order, and checks each where it stands.
+    """Collects the nodes and elements of a file in any order, and checks each when added.
 
     Attributes
     ----------
     path
         The file.
     aliases, walls, notes
-        As of the mesh.
+        As in :class:`Mesh`.
     left_out
-        How many elements of a kind that no head has were left out, such as bars.
+        Number of elements left out, by unsupported kind, such as bars.
     offsets
-        How many sections or elements do not lie at the nodes.
+        Number of sections or elements with an offset from their nodes.
     """
 
     def __init__(self, path: str) -> None:
@@ -143,34 +143,36 @@ class MeshBuilder:
         self._point_masses: list[tuple[int | None, Hashable, Sequence[float], float]] = []
 
     def error(self, line: int | None, message: str) -> FileError:
-        """Return the error of a line."""
+        """Return an error about a line."""
         return FileError(self.path, line, message)
 
     def includes(self, line: int) -> FileError:
-        """Return the error on a line that includes another file."""
-        return self.error(line, "this file includes another one, which is not read; write the mesh as one file")
+        """Return the error for a line that includes another file."""
+        return self.error(line, "this file includes another one, which is not supported; write the mesh as one file")
 
     def number(self, line: int | None, text: str, what: str = "a node") -> int:
-        """Return a number of a node or an element."""
+        """Parse the number of a node, element and so on."""
         text = text.strip()
         if not (text.isascii() and text.isdigit() and len(text) < 11 and int(text) <= LARGEST_NUMBER):
-            message = f"{shortened(text, 40)!r} is not a number of {what}, a whole number up to {LARGEST_NUMBER}"
+            message = (
+                f"{shortened(text, 40)!r} is not a valid number of {what}; write a whole number up to {LARGEST_NUMBER}"
+            )
             raise self.error(line, message)
         return int(text)
 
     def value(self, line: int | None, text: str, what: str) -> float:
-        """Return a number of a card, as ``what`` is called."""
+        """Parse a finite number on a card; ``what`` names it in errors."""
         value = _as_float(text)
         if not math.isfinite(value):
-            raise self.error(line, f"{shortened(text.strip(), 40)!r} is not a {what}, a finite number")
+            raise self.error(line, f"{shortened(text.strip(), 40)!r} is not a valid {what}; write a finite number")
         return value
 
     def coordinate(self, line: int | None, given: str | float) -> float:
-        """Return a coordinate of a node."""
+        """Parse a coordinate of a node."""
         value = _as_float(given)
         if not abs(value) <= FARTHEST:
             shown = shortened(str(given).strip(), 40)
-            raise self.error(line, f"{shown!r} is not a coordinate of a head, a number within {FARTHEST:g}")
+            raise self.error(line, f"{shown!r} is not a valid coordinate of a head; write a number within {FARTHEST:g}")
         return value
 
     @property
@@ -179,11 +181,11 @@ class MeshBuilder:
         return len(self._places)
 
     def add_node(self, line: int | None, key: Hashable, number: int, place: Sequence[str | float]) -> None:
-        """Add a node under a key, by which elements name it."""
+        """Add a node under the key by which elements refer to it."""
         x, y, z = (self.coordinate(line, each) for each in place)
         if (row := self._row_of.get(key)) is not None:
             if self._places[row] != (x, y, z):
-                raise self.error(line, f"node {number} is there already, at another place")
+                raise self.error(line, f"node {number} is already defined, at another place")
             return
         self._row_of[key] = len(self._places)
         self._places.append((x, y, z))
@@ -191,18 +193,18 @@ class MeshBuilder:
 
     def add_shell(self, line: int | None, number: int, nodes: Sequence[Hashable], sets: Iterable[str] = (), *,
                   thickness: float = math.nan, key: Hashable = None) -> None:  # fmt: skip
-        """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``key`` names it for ``add_to_set``."""
+        """Add a triangle or quadrilateral of 3, 4, 6, 7, 8 or 9 nodes; ``add_to_set`` refers to it by ``key``."""
         self._surface_rows.add(line, number, nodes, CORNERS[len(nodes)], sets, key, thickness)
 
     def add_solid(self, line: int | None, number: int, nodes: Sequence[Hashable], sets: Iterable[str] = (), *,
                   key: Hashable = None) -> None:  # fmt: skip
-        """Add a solid element: a tetrahedron, pyramid, wedge or hexahedron, with nodes on its edges or without."""
+        """Add a tetrahedron, pyramid, wedge or hexahedron, with or without mid-edge nodes."""
         if len(nodes) not in SOLID_CORNERS:
-            raise self.error(line, f"element {number} is a solid of {len(nodes)} nodes, which no kind of solid has")
+            raise self.error(line, f"element {number} is a solid with {len(nodes)} nodes, which no supported kind has")
         self._solid_rows.add(line, number, nodes, SOLID_CORNERS[len(nodes)], sets, key)
 
     def add_to_set(self, name: str, keys: Iterable[Hashable]) -> None:
-        """Add elements to a set by their keys; bars and the like are left out."""
+        """Add elements to a set by their keys; keys of elements left out are ignored."""
         chosen = list(keys)
         for elements in (self._surface_rows, self._solid_rows):
             elements.sets.setdefault(name, []).extend(row for key in chosen for row in elements.by_key.get(key, ()))
@@ -210,7 +212,7 @@ class MeshBuilder:
     def add_wall(
         self, name: str, section: str, thickness: float | None, metal: Wall | None, material: str = ""
     ) -> None:
-        """Add what cards say of a set: that of its section, called ``section``, and that of its ``material``."""
+        """Add the data of cards about a set: its section's, named ``section``, and its ``material``'s."""
         metal = metal or Wall()
         source = " and ".join(filter(None, (section, metal.source)))
         self.walls[name] = replace(metal, thickness=thickness, source=source, material=material)
@@ -220,7 +222,7 @@ class MeshBuilder:
         self._point_masses.append((line, node, offset, mass))
 
     def mesh(self) -> Mesh:
-        """Return the mesh.
+        """Return the mesh of everything added.
 
         Raises
         ------
@@ -233,14 +235,14 @@ class MeshBuilder:
             place = self._places[self._row(line, "a point mass", key)]
             masses.append((*(a + b for a, b in zip(place, offset, strict=True)), mass))
         notes = [*self.notes, *(
-            f"{count} {noun} have an offset from the nodes, which is not used: nodes are on the middle surface"
+            f"{count} {noun} have an offset from the nodes, which is ignored: nodes must be on the middle surface"
             for noun, count in self.offsets.items()
         )]  # fmt: skip
         if higher := self._surface_rows.higher:
-            notes.append(f"{higher} element{'s' * (higher != 1)} with nodes on edges are taken by their corners")
+            notes.append(f"{higher} element{'s' * (higher != 1)} with mid-edge nodes are reduced to their corners")
         if self.left_out:
             parts = " and ".join(f"{count} {kind}" for kind, count in self.left_out.items())
-            notes.append(f"left out, as a head has no such elements: {parts}")
+            notes.append(f"left out, because a head has no such elements: {parts}")
         shared: dict[str, Any] = {
             "path": self.path, "points": np.array(self._places, float).reshape(-1, 3),
             "node_ids": np.array(self._numbers, np.int64), "aliases": self.aliases, "walls": self.walls,
@@ -263,12 +265,12 @@ class MeshBuilder:
     def _row(self, line: int | None, what: str, key: Hashable) -> int:
         if key not in self._row_of:
             number = key[-1] if isinstance(key, tuple) else key
-            raise self.error(line, f"{what} has the node {number}, which does not exist")
+            raise self.error(line, f"{what} refers to node {number}, which does not exist")
         return self._row_of[key]
 
 
 def _as_float(given: str | float) -> float:
-    """Return a number as people write it, which has no underscores; NaN of what is none."""
+    """Parse a number, without allowing Python's underscores; NaN if it is not a number."""
     try:
         return math.nan if isinstance(given, str) and "_" in given else float(given)
     except ValueError:
@@ -276,7 +278,7 @@ def _as_float(given: str | float) -> float:
 
 
 def read_text(path: str) -> list[str]:
-    """Return the lines of a text file of any encoding that has ASCII in it."""
+    """Return the lines of a text file in any encoding compatible with ASCII."""
     content = read_input(path)
     try:
         return content.decode("utf-8-sig").splitlines()

@@ -1,6 +1,6 @@
-"""Meshes of Nastran and OptiStruct (.bdf, .nas, .dat, .fem) in small, large and free fields.
+"""Reader of Nastran and OptiStruct meshes (.bdf, .nas, .dat, .fem) in small, large and free fields.
 
-Sets are the properties, by their numbers, and by the names that pre-processors leave in comments.
+Sets are the properties, by number and by the names that pre-processors leave in comments.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from clubface.errors import shortened
 from clubface.fem.mesh_files.mesh import LARGEST_NUMBER, Mesh, MeshBuilder, Wall, read_text
 
 SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3, "CTRIA6": 3, "CSHEAR": 4}
-"""Corners of surface elements."""
+"""Number of corners of surface elements."""
 THICKNESS = {"CQUAD4": 11, "CQUADR": 11, "CTRIA3": 11, "CTRIAR": 11}
-"""Field of the first thickness at a corner, the name being number 0."""
+"""Index of the first corner thickness among the fields, counting the name as 0."""
 SOLIDS = {"CTETRA": 4, "CHEXA": 8, "CPENTA": 6, "CPYRAM": 5, "CPYRA": 5}
-"""Corners of solid elements."""
+"""Number of corners of solid elements."""
 BARS = ("CBAR", "CBEAM", "CROD", "CONROD", "CBUSH", "CELAS1", "CELAS2", "CONM1", "CTUBE", "RBE2", "RBE3", "RBAR")
 COMPONENT = re.compile(r'\$HMNAME\s+COMPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"\s*(?P<property>\d+)?')
-"""A component of HyperMesh, at times with the property of its elements. Its number is another than that of a property,
-and equals it in files without names of properties alone."""
+"""A component of HyperMesh, sometimes with the property of its elements. Numbers of components and properties differ,
+except in files that name no properties."""
 MEMBERS = re.compile(r"\$HMMOVE\s+(?P<number>\d+)\s*$")
-"""What begins a list of the elements of a component, in fields of 8 characters."""
+"""Start of a list of the elements of a component, in fields of 8 characters."""
 NAMES = (
     re.compile(r'\$HMNAME\s+PROPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),  # HyperMesh
     re.compile(r"\$ANSA_NAME(?:_COMMENT)?;(?P<number>\d+);PSHELL;~?(?P<name>[^;]*)"),
@@ -30,11 +30,11 @@ NAMES = (
 )
 """Comments that name a property."""
 BEFORE = re.compile(r"\$\*?.*?\b(?:property|region|pshell|physical property|set)\b[^:]*:\s*(?P<name>.+)", re.IGNORECASE)
-"""A comment that names the property of the next card PSHELL, as Patran and NX write it."""
+"""A comment that names the property of the next PSHELL card, as written by Patran and NX."""
 
 
 class _Card:
-    """A card: its name, and its fields as text."""
+    """A card, with its name and fields as text."""
 
     def __init__(self, line: int, fields: list[str], comment: str) -> None:
         self.line, self.fields, self.comment = line, fields, comment
@@ -58,7 +58,7 @@ class NastranReader(MeshBuilder):
         self.metals: dict[int, Wall] = {}
 
     def read(self) -> Mesh:
-        """Return the mesh."""
+        """Read the file and return the mesh."""
         for card in self._cards():
             if card.name == "GRID":
                 self._grid(card)
@@ -80,7 +80,9 @@ class NastranReader(MeshBuilder):
             elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
                 raise self.includes(card.line)
             elif card.name == "GRDSET" and card[2] not in ("", "0"):
-                message = f"nodes stand in the coordinate system {shortened(card[2], 20)}; write all in the basic one"
+                message = (
+                    f"nodes are in coordinate system {shortened(card[2], 20)}; write all nodes in the basic system"
+                )
                 raise self.error(card.line, message)
         self._name_components()
         self.aliases |= {name: str(number) for number, name in self.names.items()}
@@ -111,7 +113,7 @@ class NastranReader(MeshBuilder):
             yield card
 
     def _comment(self, text: str) -> None:
-        if self.unnamed is not None:  # ANSA writes a long name into a line of its own
+        if self.unnamed is not None:  # ANSA puts a long name on the next line
             self.names.setdefault(self.unnamed, text[1:].strip())
             self.unnamed = None
         if matched := COMPONENT.match(text):
@@ -133,7 +135,7 @@ class NastranReader(MeshBuilder):
                     self.unnamed = int(matched["number"])
 
     def _name_components(self) -> None:
-        """Make components sets of their elements, or name the properties that are theirs."""
+        """Make components sets of their elements, or use their names for their properties."""
         named = bool(self.names)
         for number, (name, own) in self.components.items():
             if number in self.members:
@@ -146,13 +148,13 @@ class NastranReader(MeshBuilder):
     def _grid(self, card: _Card) -> None:
         number = self.number(card.line, card[1])
         if card[2] not in ("", "0"):
-            system = f"the coordinate system {shortened(card[2], 20)}"
-            raise self.error(card.line, f"node {number} stands in {system}; write all in the basic one")
+            system = f"coordinate system {shortened(card[2], 20)}"
+            raise self.error(card.line, f"node {number} is in {system}; write all nodes in the basic system")
         self.add_node(card.line, number, number, [_number(card[place] or "0") for place in (3, 4, 5)])
 
     def _shell(self, card: _Card) -> None:
         number = self.number(card.line, card[1], "an element")
-        group = card[2] or card[1]  # a property left out has the number of the element
+        group = card[2] or card[1]  # the default property has the element's number
         count = SHELLS[card.name]
         nodes = [self.number(card.line, card[3 + corner]) for corner in range(count)]
         higher = card.name[-1] in "68"
@@ -162,8 +164,8 @@ class NastranReader(MeshBuilder):
         if first is not None and _number(card[4 + count]).strip("0.+- "):
             self.offsets["elements"] += 1
         if first is not None and card[10] == "1":
-            message = f"the thicknesses of element {number} are parts of that of its property (TFLAG = 1), which is not"
-            raise self.error(card.line, f"{message} read; write them with TFLAG = 0")
+            message = f"the corner thicknesses of element {number} are relative to its property (TFLAG = 1), which is"
+            raise self.error(card.line, f"{message} not supported; write them with TFLAG = 0")
         values = [self.value(card.line, _number(each), "thickness") for each in own if each]
         self.add_shell(
             card.line, number, nodes if not middle else [*nodes, *nodes], [group],
@@ -198,14 +200,14 @@ class NastranReader(MeshBuilder):
     def _mass(self, card: _Card) -> None:
         number = self.number(card.line, card[2])
         if card[3] not in ("", "0"):
-            raise self.error(card.line, f"CONM2 {card[1]} stands in another coordinate system than the basic one")
+            raise self.error(card.line, f"CONM2 {card[1]} is not in the basic coordinate system, as it must be")
         mass = self.value(card.line, _number(card[4]), "mass")
         offset = [self.value(card.line, _number(card[place] or "0"), "offset") for place in (5, 6, 7)]
         self.add_mass(card.line, number, mass, offset)
 
 
 def _numbers(words: list[str]) -> Iterator[int]:
-    """Return the numbers of a list with ranges: 1 THRU 10 12."""
+    """Yield the numbers of a list with ranges, such as 1 THRU 10 12."""
     last = None
     for place, word in enumerate(words):
         if word == "THRU":
@@ -217,7 +219,7 @@ def _numbers(words: list[str]) -> Iterator[int]:
 
 
 def _fields(text: str) -> list[str]:
-    """Return the fields of a line: its name, then the eight or four of its data."""
+    """Split a line into its name and its eight (or four large) data fields."""
     if "," in text:
         return [*(each.strip() for each in text.split(",")), *[""] * 8][:9]
     text = text.expandtabs(8)
@@ -226,6 +228,6 @@ def _fields(text: str) -> list[str]:
 
 
 def _number(text: str) -> str:
-    """Return a number of Nastran in the common form: 4.43-9 is 4.43e-9, 1.D3 is 1e3."""
+    """Convert a Nastran number to common notation: 4.43-9 to 4.43e-9, 1.D3 to 1e3."""
     text = text.strip().replace("D", "e").replace("d", "e")
     return re.sub(r"(?<=[\d.])([+-]\d+)$", r"e\1", text)

@@ -1,4 +1,4 @@
-"""The reader of each kind of mesh file, by what stands in it and by its ending; STL, and others by meshlane."""
+"""Choice of a reader for a mesh file by content and name; readers of STL, and of other formats through meshlane."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from clubface.support.processes import IsolatedError, IsolatedProcess
 
 LIBRARY = IsolatedProcess(Path(__file__).with_name("meshlane_library.py"))
 MEMORY = 200
-"""Bytes that the library may take for a byte of the file; it takes some 20."""
+"""Memory limit for the library in bytes per byte of the file; it needs about 20."""
 SPEED = 1e5
-"""Bytes a second, slower than any machine reads them."""
+"""Assumed reading speed for the time limit [bytes/s], slower than any machine."""
 NUMBERS = ("gmsh:physical", "medit:ref", "nastran:ref", "group", "part", "PartId", "GROUP_ID")
-"""Data of elements that number their groups."""
+"""Names of element data that hold group numbers."""
 SHELLS = ("triangle", "quad", "triangle6", "triangle7", "quad8", "quad9")
 LINES = ("vertex", "line", "line3")
 
 
 class OtherReader(MeshBuilder):
-    """Reads a mesh through meshlane; elements have no numbers in such files and are counted from 1."""
+    """Reads a mesh through meshlane; such files have no element numbers, so elements are numbered from 1."""
 
     def read(self) -> Mesh:
-        """Return the mesh."""
+        """Read the file and return the mesh."""
         size = input_file(self.path).size
         with as_local_file(self.path) as local:
             try:
@@ -68,17 +68,15 @@ class OtherReader(MeshBuilder):
 
 
 HEADER, FACET = 84, 50
-"""Bytes of the header with the count, and of a triangle."""
+"""Bytes of the header including the count, and of a triangle."""
 
 
 class StlReader(MeshBuilder):
-    """Reads triangles, numbered from 1 as they stand; sets are the solids of a text file, if it has several."""
+    """Reads STL triangles, numbered from 1 in order; sets are the solids of a text file that has several."""
 
     def read(self) -> Mesh:
-        """Return the mesh."""
-        self.notes.append(
-            "STL has neither groups nor thicknesses, metals or numbers of elements: triangles are counted from 1"
-        )
+        """Read the file and return the mesh."""
+        self.notes.append("STL has no groups, thicknesses, metals or element numbers: triangles are numbered from 1")
         content = read_input(self.path)
         count = struct.unpack_from("<I", content, HEADER - 4)[0] if len(content) >= HEADER else -1
         size = HEADER + FACET * count
@@ -89,7 +87,7 @@ class StlReader(MeshBuilder):
         elif content.lstrip()[:5].lower() == b"solid":
             self._text(content.decode("utf-8", "replace").splitlines())
         else:
-            stated = f"it says that it has {count} triangles, which are {size} bytes, and has {len(content)}"
+            stated = f"{count} triangles are declared, which need {size} bytes, but it has {len(content)}"
             raise self.error(None, f"this mesh cannot be read: {stated if count >= 0 else 'it is not STL'}")
         return self.mesh()
 
@@ -104,11 +102,11 @@ class StlReader(MeshBuilder):
                 name = " ".join(cells)
             elif word == "vertex":
                 if len(cells) != 3:
-                    raise self.error(line, f"this corner has {len(cells)} coordinates, not three")
+                    raise self.error(line, f"this corner has {len(cells)} coordinates instead of three")
                 corners.append(cells)
             elif word == "endfacet":
                 if len(corners) != 3:
-                    raise self.error(line, f"this facet has {len(corners)} corners, not three")
+                    raise self.error(line, f"this facet has {len(corners)} corners instead of three")
                 number += 1
                 self._triangle(line, number, corners, [name] if solids > 1 and name else ())
                 corners = []
@@ -130,20 +128,20 @@ READERS: dict[str, Reader] = {
     **dict.fromkeys((".bdf", ".nas", ".fem", ".blk", ".bulk"), NastranReader),
     **dict.fromkeys((".k", ".key", ".dyn", ".dyna"), DeckReader), ".stl": StlReader,
 }  # fmt: skip
-"""By ending."""
+"""Reader by file name extension."""
 CAD = (".step", ".stp", ".iges", ".igs", ".x_t", ".x_b", ".sldprt", ".catpart", ".prt", ".3dm", ".ipt", ".brep")
-"""Endings of surfaces and solids that no mesh generator has cut into elements."""
+"""Extensions of CAD files, which have no mesh."""
 LOOKED_AT = 20_000
-"""Bytes at the start of a file in which its kind is looked for."""
+"""Number of bytes at the start of a file from which its kind is detected."""
 
 
 def read_mesh(path: str) -> Mesh:
-    """Return the elements of a mesh file.
+    """Read the elements of a mesh file.
 
     Raises
     ------
     FileError
-        There is no such file, it cannot be read, or it is damaged; the line is named where there are lines.
+        The file does not exist, cannot be read, or is damaged; the message names the line in a text file.
     """
     if not os.path.exists(path):
         raise FileError(path, None, "there is no such file")
@@ -155,7 +153,7 @@ def read_mesh(path: str) -> Mesh:
 
 
 def _by_content(path: str) -> Reader | None:
-    """Return the reader of a file that shows what it is, whatever its name."""
+    """Return the reader for a file whose content identifies its kind, whatever its name; otherwise None."""
     content = read_input(path)[:LOOKED_AT]
     if content.startswith(b"$MeshFormat") or b"\n$MeshFormat" in content:
         return GmshReader
