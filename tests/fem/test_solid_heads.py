@@ -76,9 +76,15 @@ def test_every_format_gives_the_same_solid_head(tmp_path, name, corners):
 def test_tetrahedra_launch_as_hexahedra_do(tmp_path):
     # The same solid by another element. Hexahedra of four layers launch 0.07% faster than tetrahedra of two and as much
     # slower in spin, and hexahedra of two 0.03% and 0.2%.
-    made = iron()
+    made, one = blade()
     path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
-    one, other = launch(made), launch(read(path))
+    other = launch(read(path))
+    print(
+        "TETRA",
+        other.normal_velocity / one.normal_velocity,
+        other.backspin / one.backspin,
+        other.peak_force / one.peak_force,
+    )
     assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=1e-3)
     assert other.backspin == pytest.approx(one.backspin, rel=5e-3)
     assert other.peak_force == pytest.approx(one.peak_force, rel=5e-3)
@@ -196,10 +202,10 @@ def test_stress_that_is_linear_is_exact_at_the_surface_of_tetrahedra(tmp_path):
 
 
 def test_one_layer_of_tetrahedra_sees_how_a_wall_bends(tmp_path):
-    # Hexahedra in four layers come to 269 MPa, and to 290 with more of them along the blade; tetrahedra to 297 in one
-    # layer and to 301 in two. One layer of hexahedra sees 79.
-    options = {"speed": "42 m/s"}
-    one, four = (iron(elements=(16, 10, layers)) for layers in (1, 4))
+    # Of blades of 12 by 8 hexahedra in four layers come to 251 MPa and tetrahedra in one layer to 279; on finer ones
+    # the two approach each other. One layer of hexahedra sees 60.
+    options = {"speed": "42 m/s", "ball": coarse("modern")}
+    one, four = (iron(elements=(12, 8, layers)) for layers in (1, 4))
     path = gmsh_solids(tmp_path / "head.msh", one.nodes * 1e3, {"head": tetrahedra_of(one.hexahedra).tolist()})
     bent, reference, flat = (
         fem.stress.impact_stress(head, **options).parts[0].stress for head in (read(path), four, one)
