@@ -79,12 +79,6 @@ def test_tetrahedra_launch_as_hexahedra_do(tmp_path):
     made, one = blade()
     path = gmsh_solids(tmp_path / "head.msh", made.nodes * 1e3, {"head": tetrahedra_of(made.hexahedra).tolist()})
     other = launch(read(path))
-    print(
-        "TETRA",
-        other.normal_velocity / one.normal_velocity,
-        other.backspin / one.backspin,
-        other.peak_force / one.peak_force,
-    )
     assert other.normal_velocity == pytest.approx(one.normal_velocity, rel=1e-3)
     assert other.backspin == pytest.approx(one.backspin, rel=5e-3)
     assert other.peak_force == pytest.approx(one.peak_force, rel=5e-3)
