@@ -21,9 +21,8 @@ from clubface.errors import RangeWarning
 from clubface.inference.evaluation.published_accuracy import published
 from clubface.published_data import PublishedTable
 from clubface.simulation.flight import fly
-from clubface.validation.catalogue import CHECKS
 from clubface.validation.check import CERTAINTIES, Check, Figure, reading
-from clubface.validation.run import CheckSummary, summary, validate
+from clubface.validation.run import CHECKS, CheckSummary, summary, validate
 from clubface.validation.tour import TABLES
 
 KINDS = ("driver", "wood", "iron")

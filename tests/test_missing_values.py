@@ -11,7 +11,7 @@ from clubface import units
 from clubface.capture.recording import Recording
 from clubface.design.strokes import expected
 from clubface.errors import ClubfaceError, InputError
-from clubface.inference.evaluation.noise import monitor_noise
+from clubface.inference.evaluation.statistics import monitor_noise
 from clubface.inference.identification.simulator import noise_of
 from clubface.shots.recorded import RecordedShots
 

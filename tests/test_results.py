@@ -60,7 +60,7 @@ def test_printing_a_result_computes_nothing(monkeypatch, name):
         raise AssertionError("something was computed to print it")
 
     for each in ("impact", "fly", "sensitivities", "history", "trajectory", "fly_sensitivity"):
-        monkeypatch.setattr(f"clubface.simulation.core.{each}", computed)
+        monkeypatch.setattr(f"clubface._core.{each}", computed)
     assert repr(made)
     assert str(made)
 

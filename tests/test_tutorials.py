@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import clubface
-from clubface.equipment.backends import OWN
+from clubface.equipment.models import OWN
 from script_files import load_script
 
 ROOT = Path(__file__).parent.parent

@@ -11,7 +11,6 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from clubface.equipment.backends import CLUB_FILES, MODULES
 from clubface.support.version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -168,9 +167,6 @@ _MOVED = {
     "motion_capture": "capture",
 }
 """The new name of each public module that was renamed; the old ones go on working, with a warning."""
-
-MODULES["fem"] = "clubface.fem.backend"
-CLUB_FILES["shape"] = CLUB_FILES["groups"] = "clubface.fem.heads.read"
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 

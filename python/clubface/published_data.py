@@ -22,8 +22,7 @@ from numpy.typing import NDArray
 
 from clubface import units
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import Table, decode, file_key
 from clubface.schema.values import TEXT, Choice, FilePath, Items, Record, Simple, Tables
 from clubface.support.checks import Frozen, check_choice, check_names

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.design import core, dispersion as module
+from clubface import _core as core
+from clubface.design import dispersion as module
 from clubface.design.dispersion import FLOWN, LAUNCHED, ImpactSetup, Scale, ShotTally, dispersion, forward, shots_file
 from clubface.design.golfer import golfer
 from clubface.design.strokes import Hole

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface import published_data
+from clubface import _core as core, published_data
 from clubface.errors import InputError, UnknownNameError
-from clubface.simulation import core
 from clubface.simulation.flight import GROUNDS, flight_columns
 from clubface.simulation.results import flight_inputs, flight_outputs
 

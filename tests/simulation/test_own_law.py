@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.equipment.backends import OWN
+from clubface.equipment.models import OWN
 from clubface.errors import ClubfaceError, InputError, RunError, ShotError
 from clubface.simulation.results import inputs
 from clubface.simulation.two_bodies import BALL, BALL_SPIN, BALL_VELOCITY, CLUB, CLUB_MOMENTUM, CLUB_VELOCITY, TwoBodies

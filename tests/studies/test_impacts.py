@@ -5,7 +5,7 @@ import pytest
 
 import clubface
 from clubface import studies
-from clubface.equipment.backends import OWN
+from clubface.equipment.models import OWN
 from clubface.errors import FileError
 from clubface.studies.study import read_study
 from study_files import shots

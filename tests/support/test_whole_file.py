@@ -8,8 +8,8 @@ import stat
 import pytest
 
 from clubface.errors import FileError
+from clubface.jobs.store import fingerprint
 from clubface.support.files import whole_file, whole_text, write_text
-from clubface.support.fingerprint import fingerprint
 from package_sources import trees
 
 

@@ -12,8 +12,7 @@ from clubface import units
 from clubface.capture.geometry import GIVEN, GUESSED, Assumed
 from clubface.capture.rotations import FEWEST
 from clubface.errors import InputError, Wording
-from clubface.schema.document import Document, quoted
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place, quoted
 from clubface.schema.tables import Table, decode, encode, file_key, written_key
 from clubface.schema.values import TEXT, Choice, Either, Items, PhysicalValue, Record, Simple, count
 from clubface.support.checks import check_choice

@@ -13,9 +13,8 @@ import numpy as np
 
 from clubface import units
 from clubface.design.contributions import QUANTITIES, Contributions, contributions, symbol, values
-from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import club as club_of
-from clubface.equipment.models import DEFAULT_MODEL, model
+from clubface.equipment.models import DEFAULT_MODEL, MODULES, model
 from clubface.errors import FileError, InputError, RangeWarning, ShotError, Wording
 from clubface.quantities import Quantity, quantity
 from clubface.results.notes import Note, note
@@ -24,7 +23,7 @@ from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import check_units, delivery_words, layout, plain_name
-from clubface.shots.tables.reader import open_table
+from clubface.shots.tables.row_source import open_table
 from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly, trajectory
 from clubface.simulation.impact import impact, warn_if_outside
 from clubface.simulation.inputs import as_values
@@ -445,7 +444,7 @@ def _stages(first: Alternative, other: Alternative, launch: Launch, last: Launch
 def _ball_fingerprint(given: Any) -> Any:
     """Return the fingerprint of a finite element ball, given as such or by name."""
     from clubface.fem.balls import ball
-    from clubface.support.fingerprint import fingerprint
+    from clubface.jobs.store import fingerprint
 
     return fingerprint(ball(given).values())
 

@@ -11,12 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from clubface import units
-from clubface.design.core import face_quantities
-from clubface.equipment.backends import MODULES
-from clubface.equipment.models import reduced_model
+from clubface import _core as core, units
+from clubface.equipment.models import MODULES, reduced_model
 from clubface.errors import ClubfaceError, RunError
-from clubface.simulation import core
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, Flight, flight_columns, fly
 from clubface.simulation.launch import Launch
 from clubface.simulation.results import Variable, flight_inputs, flight_outputs, inputs, outputs
@@ -35,7 +32,7 @@ STEP = 1e-8
 NODES = {False: 8, True: 1}
 """Default number of points at which a launch is differentiated: a slow model only gets the middle."""
 
-_NAMES, _LAUNCHED = face_quantities()
+_NAMES, _LAUNCHED = core.face_quantities()
 LAUNCHED: tuple[str, ...] = tuple(_NAMES[:_LAUNCHED])
 FLOWN: tuple[str, ...] = tuple(_NAMES[_LAUNCHED:])
 QUANTITIES: tuple[str, ...] = (*LAUNCHED, *FLOWN)

@@ -15,7 +15,7 @@ from typing import Any, BinaryIO, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface.design import core
+from clubface import _core as core
 from clubface.design.golfer import Golfer, golfer as golfer_named, own_club
 from clubface.design.strokes import AT_REST, Hole
 from clubface.equipment.balls import Ball

@@ -12,10 +12,9 @@ from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
 from clubface.design.dispersion import ImpactSetup
 from clubface.design.face_surface import ComputedFace, Interpolated, Outline, Struck, Surface, outline_of, run_points
-from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_of
-from clubface.equipment.models import DEFAULT_MODEL
+from clubface.equipment.models import DEFAULT_MODEL, MODULES
 from clubface.errors import InputError, RangeWarning, RunError, Wording
 from clubface.results.result import Described, Result
 from clubface.results.table import Table

@@ -13,13 +13,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
-from clubface.design import core
+from clubface import _core as core, units
 from clubface.design.contributions import FLOWN, LAUNCHED, QUANTITIES
 from clubface.design.dispersion import ImpactSetup
-from clubface.equipment.backends import MODULES
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import turn_to_sole
+from clubface.equipment.models import MODULES
 from clubface.errors import RangeWarning, RunError, ShotError
 from clubface.jobs.engine import Job, run
 from clubface.jobs.store import Finished, store_for, unfinished_folder

@@ -19,8 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from clubface import units
-from clubface.design import core
+from clubface import _core as core, units
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError
 from clubface.quantities import Quantity, Reading
@@ -127,7 +126,7 @@ class Volume:
         return tuple(QuadraticForm(words, np.array(matrix)) for words, matrix in core.volume_forms(self.space))
 
     @property
-    def space(self) -> core.Space:
+    def space(self) -> tuple[str, tuple[float, float, float], tuple[float, float, float]]:
         """Shape, centre and size, as the core takes them."""
         return self.shape, self.centre, self.size
 

@@ -38,13 +38,11 @@ from typing import Any, Self
 
 import numpy as np
 
-from clubface import units
-from clubface.design import core
+from clubface import _core as core, units
 from clubface.equipment.clubs import CLUB_NAMES, Club, club as club_named
 from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
-from clubface.schema.document import Document, quoted
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place, quoted
 from clubface.schema.tables import Table, decode, encode, file_key
 from clubface.schema.values import TEXT, Choice, PhysicalValue, Record, Reference, Tables, Value
 from clubface.shots.plausibility import can_be

@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import published_data, units
-from clubface.design import core
+from clubface import _core as core, published_data, units
 from clubface.errors import InputError, Wording
 from clubface.schema import Choice, PhysicalValue, check_values, file_key
 from clubface.support.arrays import Floats

@@ -15,13 +15,11 @@ from functools import cache
 from typing import Any, ClassVar, NamedTuple, Self
 
 from clubface import units
-from clubface.equipment.core import check_body
-from clubface.equipment.described import EquipmentItem, set_si, sources_of, template_lines, to_toml
+from clubface.equipment.described import EquipmentItem, check_body, set_si, sources_of, template_lines, to_toml
 from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterValue
 from clubface.errors import InputError, RuleWarning
-from clubface.schema.document import Document, quoted
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place, quoted
 from clubface.schema.tables import decode, entries, file_key, quantities
 from clubface.schema.values import NAME, TEXT, PhysicalValue, Record, Simple, Tables
 from clubface.support.checks import Frozen, check_name, warn_once, without_warnings

@@ -22,14 +22,13 @@ from clubface.equipment.attachment import (
     spatial_inertia,
     symmetric_rows,
 )
-from clubface.equipment.backends import CLUB_FILES
 from clubface.equipment.balls import Ball as Ball, ball as ball
-from clubface.equipment.core import check_body
 from clubface.equipment.described import (
     FLAT,
     HANDS,
     EquipmentItem,
     changed,
+    check_body,
     set_si,
     sources_of,
     template_lines,
@@ -54,6 +53,10 @@ us, from the second on. They fit finite elements up to 400 us to 0.0003 (``pytho
 UNIT = 100e-6
 RANGE = (0.778, 0.86)
 """Restitutions that a face may be given: those of 46 to 377 us."""
+CLUB_FILES = dict.fromkeys(("shape", "groups"), "clubface.fem.heads.read")
+"""The module that reads club files of another form than that of :class:`Club`, by a key that only they have.
+
+Its function ``club_of`` makes a club of a document of strict TOML."""
 
 
 def restitution(characteristic_time: float) -> float:

@@ -9,10 +9,15 @@ from dataclasses import fields, replace
 from typing import Any, ClassVar, Self, TypeVar
 
 from clubface import units
-from clubface.errors import InputError
+from clubface._core import check, inputs
+from clubface.equipment.attachment import ADDED_NAMES
+from clubface.errors import InputError, ShotError
 from clubface.schema import TEXT, Document, Record, Value, check_values, decode, encode, quantities, template
 from clubface.support.checks import Frozen, check_names
 
+_OWN_NAMES = {"club_mass": "mass", "static_loft": "loft", "ball_mass": "mass", "ball_radius": "radius",
+              "ball_inertia": "inertia"}  # fmt: skip
+"""What a club or a ball calls the inputs that a shot calls otherwise."""
 HANDS = {"right": 1, "left": -1}
 FLAT = "flat"
 T = TypeVar("T")
@@ -94,3 +99,12 @@ def template_lines(schema: type, values: Mapping[str, str]) -> list[str]:
     """Return the keys of a file with their meaning, then an example of sources."""
     return [*template(schema, values), "", "[sources]                   # where each value comes from",
             '# mass = "weighed"', ""]  # fmt: skip
+
+
+def check_body(group: str, values: Mapping[str, float]) -> None:
+    """Refuse the inputs of a "club" or "ball" [SI] that no body can have."""
+    fault = check(group, [values.get(each["name"], 0.0) for each in inputs()])
+    if fault is not None:
+        name, message = fault
+        own = "added_inertia" if name in ADDED_NAMES else _OWN_NAMES.get(name, name)
+        raise ShotError(own, values[name], message)

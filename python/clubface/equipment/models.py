@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
+from types import SimpleNamespace
 from typing import NamedTuple
 
-from clubface.equipment import core
-from clubface.equipment.backends import MODULES, OWN
+from clubface import _core
 from clubface.errors import InputError, UnknownNameError
 from clubface.support.checks import Frozen
 
@@ -18,6 +18,16 @@ DEFAULT_MODEL = "response"
 """The model where none is named."""
 
 MODEL_KEYS = ("name", "title", "kind", "summary", "reference")
+
+
+MODULES = {"fem": "clubface.fem.backend"}
+"""The module of each model that something else than the compiled core of reduced models computes, by its name.
+
+It declares its model as ``MODEL`` and what computes it, a :class:`clubface.simulation.impact.Backend`, as ``BACKEND``,
+and is imported when the model is named.
+"""
+OWN: dict[str, SimpleNamespace] = {}
+"""``MODEL`` and ``BACKEND`` of each model that a user registered in this process, by the name of the model."""
 
 
 @dataclass(frozen=True)
@@ -146,7 +156,7 @@ def models() -> dict[str, Model]:
 @cache
 def _registered() -> Mapping[str, Model]:
     result = {}
-    for entry in core.models():
+    for entry in _core.models():
         parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
         plain = {key: entry[key] for key in MODEL_KEYS}
         without = entry.get("laws_without")

@@ -29,11 +29,9 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
 
 from clubface import units
-from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, Parameter, model, model_names, models
+from clubface.equipment.models import MODULES, OWN, Model, Parameter, model, model_names, models
 from clubface.errors import FileError, InputError, UnknownNameError
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import check_values, decode, encode, file_key
 from clubface.schema.values import FLAG, TEXT, Choice, Interval, Items, PhysicalValue, Record, Simple, Tables, Value
 from clubface.support.checks import Frozen, check_choice

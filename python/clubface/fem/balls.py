@@ -26,8 +26,7 @@ from clubface.fem import core
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import ENERGY, NOT_CONSTANTS, REGISTERED, Energy, Material, Maxwell, builtin_laws, laws
 from clubface.results.result import Described, Result
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import Table, check_values, entries, file_key
 from clubface.schema.values import NAME, TEXT, Choice, PhysicalValue, Record, Simple, Tables, Value, count
 from clubface.support.checks import check_count, check_name, is_count, without_warnings

@@ -16,8 +16,7 @@ from clubface.fem.heads import MeshedHead, head
 from clubface.fem.result import Impact
 from clubface.fem.run import strike, throw, throw_values
 from clubface.fem.settings import Settings
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import Table, decode, file_key
 from clubface.schema.values import NAME, TEXT, Choice, PhysicalValue, Record, Reference, Unread
 from clubface.simulation.impact import impact

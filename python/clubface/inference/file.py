@@ -17,7 +17,7 @@ from clubface import units
 from clubface.equipment.clubs import club
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError, RangeWarning
-from clubface.inference.evaluation.noise import standard_deviations
+from clubface.inference.evaluation.statistics import standard_deviations
 from clubface.inference.prior import UnreachableLaunchError, prior_of, shown, unit_of
 from clubface.inference.run import CLUB_NOISE, Inference
 from clubface.jobs.engine import Job, run

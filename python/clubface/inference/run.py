@@ -8,19 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_named
 from clubface.equipment.models import DEFAULT_MODEL, reduced_model
 from clubface.errors import InputError, RangeWarning, Wording
-from clubface.inference.evaluation.noise import MONITOR, standard_deviations
+from clubface.inference.evaluation.statistics import MONITOR, standard_deviations
 from clubface.inference.importance import drawn
 from clubface.inference.posterior import FEWEST_EFFECTIVE, Posterior
 from clubface.inference.prior import Expectation, Prior, prior_of, unreachable
 from clubface.shots.formats import CG, CONTACT, FACE
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.reference_points import ATTITUDE, MOTION, as_seen
-from clubface.simulation import core
 from clubface.simulation.impact import Parameters, impact, warn_if_outside
 from clubface.simulation.inputs import OF_CLUB, equipped, parameter_set, shots, thread_count, tolerance
 from clubface.simulation.results import input_columns, outputs

@@ -12,10 +12,9 @@ from typing import Any
 
 from clubface.errors import FileError
 from clubface.jobs.engine import Job, Progress, run
-from clubface.jobs.store import Finished, Store, unfinished_folder
+from clubface.jobs.store import Finished, Store, fingerprint, unfinished_folder
 from clubface.jobs.workers import in_threads
 from clubface.support.files import prepared_folder
-from clubface.support.fingerprint import fingerprint
 
 __all__ = ["Place", "Row", "run_table"]
 

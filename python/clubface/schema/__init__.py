@@ -6,8 +6,7 @@ checked; files and templates are written; and pages and editors learn which keys
 
 from __future__ import annotations
 
-from clubface.schema.document import Document as Document, quoted as quoted
-from clubface.schema.place import Place as Place
+from clubface.schema.document import Document as Document, Place as Place, quoted as quoted
 from clubface.schema.tables import (
     FILES as FILES,
     Entry as Entry,

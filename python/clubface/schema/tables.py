@@ -21,8 +21,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any, NamedTuple, TypeVar
 
-from clubface.schema.document import Document, quoted
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place, quoted
 from clubface.schema.values import Choice, PhysicalValue, Record, Tables, Value
 from clubface.support.checks import check_choice
 from clubface.support.renamed import warn_renamed

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from clubface import units
-from clubface.schema.document import quoted
-from clubface.schema.place import Place
+from clubface.schema.document import Place, quoted
 from clubface.support.checks import check_choice, is_count, is_name, is_text
 from clubface.support.files import resolve_name
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
+from clubface.jobs.store import fingerprint
 from clubface.results.notes import Note
 from clubface.shots.measured import ReadyShots, assumptions, ready_shots
 from clubface.shots.monitors import TABLE
@@ -34,10 +35,9 @@ from clubface.shots.tables.headings import (
     plain_name,
     require_speed,
 )
-from clubface.shots.tables.reader import Reader, open_table
+from clubface.shots.tables.row_source import Reader, open_table
 from clubface.simulation.results import inputs
 from clubface.support.arrays import Floats
-from clubface.support.fingerprint import fingerprint
 
 
 class Source(NamedTuple):

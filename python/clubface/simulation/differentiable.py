@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from clubface import _core as core
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.equipment.models import reduced_model
 from clubface.errors import InputError, Wording
-from clubface.simulation import core
 from clubface.simulation.inputs import HandLike, check_on_error, equipped, shots, thread_count, tolerance
 from clubface.simulation.results import (
     Variable,

@@ -21,12 +21,11 @@ from typing import Any, Literal, NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.balls import ball
 from clubface.errors import InputError, ShotError, Wording
 from clubface.results.notes import Note
 from clubface.results.result import Result
-from clubface.simulation import core
 from clubface.simulation.inputs import HandLike, check_on_error, common_shape, hand_value, thread_count
 from clubface.simulation.launch import Comparison, Launch, assumptions_of, vectors
 from clubface.simulation.results import (

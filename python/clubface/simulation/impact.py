@@ -12,15 +12,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, overload
 
-from clubface import units
-from clubface.equipment.backends import MODULES, OWN
+from clubface import _core as core, units
 from clubface.equipment.balls import DEFAULT_BALL, Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL, model as model_named, models
+from clubface.equipment.models import DEFAULT_MODEL, MODULES, OWN, model as model_named, models
 from clubface.equipment.parameters import QUANTITIES, ParameterSet, ends_in_words
 from clubface.errors import InputError, RangeWarning
 from clubface.results.notes import Note
-from clubface.simulation import core
 from clubface.simulation.inputs import (
     DeliveryLike,
     HandLike,

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clubface import units
-from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import model
+from clubface.equipment.models import MODULES, model
 from clubface.equipment.parameters import ParameterSet
 from clubface.errors import AssumptionWarning, InputError
 from clubface.results.notes import Note, note

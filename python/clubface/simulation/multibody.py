@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Wording
-from clubface.simulation import core
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import HandLike, prepare
 from clubface.simulation.pose import rotation_rows

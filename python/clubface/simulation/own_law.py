@@ -22,11 +22,9 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
-from clubface import units
-from clubface.equipment.backends import MODULES, OWN
-from clubface.equipment.models import Model, Parameter, models
+from clubface import _core as core, units
+from clubface.equipment.models import MODULES, OWN, Model, Parameter, models
 from clubface.errors import InputError, RunError
-from clubface.simulation import core
 from clubface.simulation.impact import Balls, Problems, Request
 from clubface.simulation.inputs import forget_parameters
 from clubface.simulation.results import inputs, outputs

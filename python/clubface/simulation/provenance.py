@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from clubface.equipment.backends import MODULES
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
+from clubface.equipment.models import MODULES
 from clubface.quantities import display_unit, quantity
 from clubface.results.result import Computation, Provenance
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, air_of, conditions

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.errors import ShotError
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
 from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, column
-from clubface.simulation import core
 from clubface.support.arrays import Floats, NumberOrArray
 from clubface.support.checks import Frozen, check_choice
 

@@ -9,18 +9,16 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.attachment import ADDED_NAMES
-from clubface.equipment.backends import OWN
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.models import DEFAULT_MODEL, differentiable_model, model as model_named
+from clubface.equipment.models import DEFAULT_MODEL, OWN, differentiable_model, model as model_named
 from clubface.errors import InputError, UnitError, Wording
 from clubface.quantities import display_unit
 from clubface.results.notes import Note, note
 from clubface.results.result import Presentable, Result
 from clubface.results.table import Table, text
-from clubface.simulation import core
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, flight_columns, flight_error
 from clubface.simulation.impact import REDUCED, Parameters, Request, impact
 from clubface.simulation.inputs import (

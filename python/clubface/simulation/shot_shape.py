@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from clubface.simulation import core
+from clubface import _core as core
 from clubface.support.arrays import NumberOrArray, ValueLike
 
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]

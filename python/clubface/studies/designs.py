@@ -16,7 +16,7 @@ from clubface import units
 from clubface.errors import FileError, InputError, Wording
 from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.headings import Vocabulary, check_units, delivery_words, layout, plain, plain_name
-from clubface.shots.tables.reader import open_table
+from clubface.shots.tables.row_source import open_table
 from clubface.studies.axes import FORMS, INTERVAL, MOST, SweepAxis, Swept, whole_flaw
 from clubface.support.checks import is_count, without_foreign_warnings
 

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 from numpy.typing import NDArray
 
 from clubface.errors import ClubfaceError, FileError, InputError
+from clubface.jobs.store import fingerprint
 from clubface.jobs.workers import Shard, in_processes, on_cluster, shard_of, worker_count
 from clubface.results.result import Described, Result
 from clubface.shots.tables.parquet import check_pyarrow
@@ -24,7 +25,6 @@ from clubface.studies.kinds.kind import Computed, Task
 from clubface.studies.store import Names, StudyStore, begin, open_folder, open_store, store_folder
 from clubface.studies.study import MOST_ROWS, StudyFile, read_study
 from clubface.support.files import InputRecord, absolute, given_files
-from clubface.support.fingerprint import fingerprint
 from clubface.support.version import __version__
 
 __all__ = [

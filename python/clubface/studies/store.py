@@ -21,12 +21,19 @@ from typing import Any
 from numpy.typing import NDArray
 
 from clubface.errors import FileError
-from clubface.jobs.store import prepare_parent, read_record, write_record
+from clubface.jobs.store import (
+    check_same,
+    fingerprint,
+    fingerprints,
+    first_difference,
+    prepare_parent,
+    read_record,
+    write_record,
+)
 from clubface.shots.tables.parquet import pyarrow_for
 from clubface.studies.kinds.kind import TASK
 from clubface.studies.study import StudyFile, read_study
 from clubface.support.files import InputFile, count_as_read, prepared_folder, whole_file
-from clubface.support.fingerprint import check_same, fingerprint, fingerprints, first_difference
 
 __all__ = ["Names", "ParquetFormat", "StudyStore", "Values", "begin", "open_folder", "open_store", "store_folder"]
 

@@ -11,8 +11,7 @@ import pytest
 import clubface
 from clubface.errors import InputError, UnknownNameError
 from clubface.inference.evaluation import evaluate, published
-from clubface.inference.evaluation.noise import TO_MEAN_ABSOLUTE
-from clubface.inference.evaluation.statistics import best_of, fewest_groups, fewest_resamples
+from clubface.inference.evaluation.statistics import TO_MEAN_ABSOLUTE, best_of, fewest_groups, fewest_resamples
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
 from clubface.validation import benchmark_data

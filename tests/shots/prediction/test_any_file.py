@@ -5,7 +5,7 @@ from hypothesis import example, given, settings, strategies as st
 
 from clubface.errors import ClubfaceError
 from clubface.shots.prediction import predict
-from clubface.shots.tables import reader
+from clubface.shots.tables import row_source
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -35,7 +35,7 @@ def test_whatever_a_file_holds_every_row_is_told_or_the_file_is_refused(tmp_path
     except ClubfaceError:
         return
     assert report.written + report.rejected == report.rows > 0
-    rejects = reader.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
+    rejects = row_source.CsvReader(tmp_path / "out.rejects.csv") if report.rejects else None
     if rejects is not None:
         kept = sum(len(chunk.lines) + len(chunk.ragged) for chunk in rejects.chunks(100, 0))
         rejects.close()

@@ -8,7 +8,7 @@ import pytest
 import clubface
 from clubface.errors import FileError, InputError
 from clubface.shots.prediction import predict
-from clubface.shots.tables import reader
+from clubface.shots.tables import row_source
 from deliveries import GOOD, table
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
@@ -133,7 +133,7 @@ def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
     whole, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"
     predict(path, club="driver", output=whole)
     done = []
-    monkeypatch.setattr(reader, "LARGEST_CHUNK", 10_000)
+    monkeypatch.setattr(row_source, "LARGEST_CHUNK", 10_000)
     predict(path, club="driver", output=cut, progress=lambda part, rows: done.append(rows))
     assert done == [3, 6, 9, 10]
     assert cut.read_bytes() == whole.read_bytes()

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from clubface.equipment.backends import OWN
+from clubface.equipment.models import OWN
 from clubface.errors import FileError
 from clubface.shots import prediction as runs
 from clubface.shots.prediction import predict
@@ -185,11 +185,9 @@ def test_a_run_goes_on_by_itself_and_another_begins_anew_in_its_place(write, tmp
 
 
 def test_a_file_of_another_version_is_not_resumed(write, tmp_path, monkeypatch):
-    from clubface.support import fingerprint
-
     path, output = write(MANY), tmp_path / "out.csv"
     begin(path, output)
-    monkeypatch.setattr(fingerprint, "__version__", "9.9.9")
+    monkeypatch.setattr("clubface.jobs.store.__version__", "9.9.9")
     with pytest.raises(FileError, match="begun with another version"):
         predict(path, club="driver", output=output, resume=True)
 

@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.design.feasibility import MASS_PROPERTIES
 from clubface.design.strokes import Hole, expected
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 from clubface.quantities import Quantity, Reading, format_value
-from clubface.simulation import core
 from clubface.simulation.flight import BALL, SPIN, VELOCITY, AirLike, GroundLike, WindLike, conditions
 from clubface.simulation.inputs import broadcast, equipped, shots
 from clubface.simulation.results import flight_inputs, flight_outputs, input_columns, outputs

@@ -60,8 +60,7 @@ from clubface.equipment.rules import Rule, RuleVerdict, rules_of
 from clubface.errors import FileError, InputError, Wording
 from clubface.fem.heads.meshed import mesh_of
 from clubface.quantities import Quantity, Reading, quantity as quantity_named
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import Table, decode, file_key
 from clubface.schema.values import (
     FLAG,

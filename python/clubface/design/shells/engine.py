@@ -31,12 +31,11 @@ from clubface.fem.run import strike
 from clubface.fem.settings import Settings
 from clubface.fem.stress import INTERVAL
 from clubface.jobs.engine import Job, run as run_job
-from clubface.jobs.store import Finished
+from clubface.jobs.store import Finished, fingerprint
 from clubface.jobs.workers import in_threads
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
-from clubface.support.fingerprint import fingerprint
 
 
 def on_face(head: ShellHead) -> NDArray[Any]:

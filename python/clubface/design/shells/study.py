@@ -53,8 +53,7 @@ from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.read import FOLDER, from_toml, head as meshed
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.quantities import Quantity, Reading
-from clubface.schema.document import Document
-from clubface.schema.place import Place
+from clubface.schema.document import Document, Place
 from clubface.schema.tables import decode, entries, file_key
 from clubface.schema.values import (
     FLAG,

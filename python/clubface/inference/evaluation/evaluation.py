@@ -13,13 +13,15 @@ from numpy.typing import NDArray
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RangeWarning, Wording
-from clubface.inference.evaluation import noise as noises
 from clubface.inference.evaluation.result import Evaluation
 from clubface.inference.evaluation.statistics import (
     Resamples,
+    error_floor,
     error_sizes,
     fewest_resamples,
     group_labels,
+    monitor_noise,
+    standard_deviations,
     trends,
 )
 from clubface.shots.measured import DELIVERY, QUANTITIES, measured_shots
@@ -115,8 +117,8 @@ def evaluate(
         )
         raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
     monitor, disturbance = (
-        noises.monitor_noise(noise),
-        noises.standard_deviations(delivery_noise, OF_CLUB, "delivery_noise"),
+        monitor_noise(noise),
+        standard_deviations(delivery_noise, OF_CLUB, "delivery_noise"),
     )
     source = shots if isinstance(shots, RecordedShots) else read(shots)
     if groups is not None and source is not shots:
@@ -177,7 +179,7 @@ def evaluate(
     standing = best[next(iter(best))].model
     # What is met is measured with noise as well, and noise in what is solved for counts for nothing.
     disturbed = disturbance | {name: monitor[name] for name in taken.start if name in monitor}
-    least = noises.floor(
+    least = error_floor(
         lambda delivery: predict(standing, delivery), {**taken.delivery, **taken.start}, monitor, disturbed, seed
     )
     return Evaluation(

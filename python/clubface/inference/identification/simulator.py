@@ -9,12 +9,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.errors import InputError
-from clubface.inference.evaluation.noise import MONITOR
+from clubface.inference.evaluation.statistics import MONITOR
 from clubface.inference.identification.problem import FreeParameters, PreparedShots
 from clubface.quantities import display_unit
-from clubface.simulation import core
 from clubface.simulation.launch_conditioned import solve_angles
 from clubface.simulation.results import outputs
 from clubface.support.arrays import Floats, ValueLike

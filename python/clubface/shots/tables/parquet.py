@@ -38,7 +38,7 @@ def _missing(path: Path | str) -> FileError:
 
 
 class ParquetReader:
-    """A Parquet file, read as a CSV file is; see :class:`clubface.shots.tables.reader.CsvReader`."""
+    """A Parquet file, read as a CSV file is; see :class:`clubface.shots.tables.row_source.CsvReader`."""
 
     counts = "row"
     header_line: int | None = None

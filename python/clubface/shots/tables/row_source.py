@@ -1,4 +1,4 @@
-"""The rows of a table as texts, each with the line at which it begins: CSV in any encoding, and Excel workbooks.
+"""Tables read a chunk at a time, every row with the line at which it begins: CSV in any encoding, Excel, Parquet.
 
 The kind of a file is decided by its content, not by its name. Unicode is recognised by its mark or its zero bytes; any
 other encoding is the one that makes words of the bytes. Only this module needs openpyxl.
@@ -21,8 +21,11 @@ from typing import Any, BinaryIO
 
 from clubface.errors import FileError, shortened
 from clubface.results.notes import Note, note
-from clubface.shots.tables.chunk import Reject
+from clubface.shots.tables.cells import decimals_of, doubt, ragged_reason
+from clubface.shots.tables.chunk import Chunk, Reject
 from clubface.shots.tables.file_kind import START, is_workbook, refuse_no_table
+from clubface.shots.tables.headings import shot_words
+from clubface.shots.tables.parquet import ENDINGS, ParquetReader
 from clubface.shots.tables.writer import csv_lines
 from clubface.support.checks import without_foreign_warnings
 from clubface.support.files import open_input
@@ -66,6 +69,10 @@ _EVERYDAY: Mapping[str, re.Pattern[str]] = {
 
 Of encodings that fit as well the first counts: what makes everyday words of two bytes each does so by no accident.
 """
+
+
+LARGEST_CHUNK = 64_000_000
+"""Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
 
 
 def unicode_by_bytes(start: bytes) -> tuple[str, int]:
@@ -393,3 +400,99 @@ RowSource = CsvRows | WorkbookRows
 def open_rows(path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> RowSource:
     """Open the rows of a file; the options are those of :class:`CsvRows` and hold for text."""
     return WorkbookRows(path) if is_workbook(path) else CsvRows(path, head_lines=head_lines, delimiter=delimiter)
+
+
+class CsvReader:
+    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook; its rows go by their lines."""
+
+    counts = "line"
+
+    def __init__(self, path: Path) -> None:
+        self.path = str(path)
+        self._rows = open_rows(path)
+        self.delimiter = self._rows.delimiter
+        try:
+            row = self._rows.next()
+            if row is None:
+                raise FileError(self.path, 1, "the file is empty: its first row must name the columns")
+            if isinstance(row, Reject):
+                raise FileError(self.path, row.line, row.reason)
+            self.headings = row[0]
+            self.header_line: int | None = row[1]
+            self._seen = [*islice(iter(self._rows.next, None), DECIMAL_ROWS)]
+            quantities = [*map(shot_words().quantity, self.headings)]
+            rows = (row[0] for row in self._seen if not isinstance(row, Reject))
+            cells = (each for row in rows for each in zip(row, quantities, strict=False))
+            self.decimal_comma, self._doubtful = decimals_of(cells, self.delimiter)
+        except BaseException:
+            self._rows.close()
+            raise
+
+    @property
+    def blank(self) -> int:
+        """Blank lines passed over so far."""
+        return self._rows.blank
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """Remarks on the file, as far as it is read."""
+        return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
+
+    def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
+        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        width = len(self.headings)
+        passed = 0
+        at_end = False
+        while not at_end:
+            kept: list[list[str]] = []
+            lines: list[int] = []
+            written: list[str] = []
+            ragged: list[Reject] = []
+            size = 0
+            for _ in range(rows if passed >= skip else min(rows, skip - passed)):
+                row = self._seen.pop(0) if self._seen else self._rows.next()
+                if row is None:
+                    at_end = True
+                    break
+                if isinstance(row, Reject):
+                    ragged.append(row._replace(cells=[*row.cells, *[""] * width][:width]))
+                    continue
+                cells, line, text = row
+                size += len(text)
+                if len(cells) == width:
+                    kept.append(cells)
+                    lines.append(line)
+                    written.append(text)
+                else:
+                    ragged.append(Reject(line, ragged_reason(cells, width), [*cells, *[""] * width][:width]))
+                if size > LARGEST_CHUNK:
+                    break
+            count = len(kept) + len(ragged)
+            if passed >= skip and count:
+                columns = list(zip(*kept, strict=True)) or [()] * width
+                yield Chunk(lines, columns, ragged, self.decimal_comma, written)
+            passed += count
+
+    def progress(self) -> float:
+        """Return the share of the file that has been read, 0 to 1."""
+        return self._rows.progress()
+
+    @property
+    def types(self) -> list[None]:
+        """The Arrow types of the columns; None for text."""
+        return [None] * len(self.headings)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._rows.close()
+
+
+Reader = CsvReader | ParquetReader
+"""A file that is read a chunk at a time."""
+
+
+def open_table(path: Path) -> Reader:
+    """Open a table, Parquet by its ending, else CSV or a workbook."""
+    if path.suffix.lower() in ENDINGS:
+        return ParquetReader(path)
+    return CsvReader(path)

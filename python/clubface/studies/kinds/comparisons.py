@@ -8,7 +8,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from clubface.equipment.backends import MODULES
+from clubface.equipment.models import MODULES
 from clubface.errors import InputError, Wording
 from clubface.schema import PhysicalValue, Record, Simple
 from clubface.simulation.impact import Tally

@@ -7,11 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeGuard
 
-from clubface.equipment.backends import MODULES, OWN
 from clubface.equipment.balls import RIGID, ball as ball_of
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club, club as club_of
 from clubface.equipment.described import FLAT, HANDS
-from clubface.equipment.models import DEFAULT_MODEL, model as model_of, models
+from clubface.equipment.models import DEFAULT_MODEL, MODULES, OWN, model as model_of, models
 from clubface.equipment.parameters import ParameterSet, read_sets
 from clubface.errors import InputError, UnknownNameError
 from clubface.schema import Choice, Document, PhysicalValue, Record, Simple, Value
