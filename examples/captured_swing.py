@@ -10,7 +10,7 @@ from clubface.capture.synthetic import Cameras, synthesize
 
 
 def main() -> clubface.Launch:
-    """Record one synthetic swing with 0.3 mm of noise, read it back and hit the ball a thousand times within it."""
+    """Record one synthetic swing with 0.3 mm of noise, read it and compute a thousand launches within its errors."""
     folder = tempfile.mkdtemp()
     files = synthesize(folder, 1, cameras=Cameras(noise=0.3e-3))
     swing = read_swing(files[0], f"{folder}/markers.toml", "driver")

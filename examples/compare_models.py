@@ -1,10 +1,10 @@
-"""The same 7-iron shot by every model: what they agree on, and where they part."""
+"""One 7-iron shot with every model: where they agree, and where they differ."""
 
 import clubface
 
 
 def main() -> clubface.Comparison:
-    """Compute the launch by every registered model and print one line each."""
+    """Compute the launch with every registered model and print one line each."""
     launches = clubface.impact("7-iron", speed="92 mph", attack="-3.9 deg", loft="22 deg", model="all")
     print(f"{'model':<12}{'ball mph':>9}{'launch deg':>12}{'backspin rpm':>14}{'contact us':>12}{'peak kN':>9}")
     for name, shot in launches.items():

@@ -1,4 +1,4 @@
-"""One drive by the two-layer ball: the launch in SI and in a golfer's units."""
+"""One drive with the two-layer ball model: the launch in SI and in golf units."""
 
 import clubface
 

@@ -1,6 +1,6 @@
 """A map of the face from one batch: ball speed and sidespin of a driver, hit all over its face.
 
-A toe shot starts right and spins back to the left (gear effect); bulge is there to make the two cancel.
+A toe shot starts right and spins back to the left (gear effect); the bulge is designed so that the two nearly cancel.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""The mirror image of a shot: what keeps its sign for a left-hander, and what does not."""
+"""The mirror image of a shot: which signs change for a left-hander, and which do not."""
 
 import clubface
 

@@ -1,4 +1,4 @@
-"""What a drive is sensitive to: exact derivatives, and how much of a spread in delivery reaches the ball."""
+"""What a drive is sensitive to: exact derivatives, and the scatter in launch caused by a scatter in delivery."""
 
 import math
 
@@ -9,7 +9,7 @@ SPREAD = {"speed": (1.0, "mph"), "attack": (1.0, "deg"), "loft": (1.5, "deg"), "
 
 
 def main() -> dict[str, float]:
-    """Print the table of derivatives and the scatter of launch they imply for independent, small spreads."""
+    """Print the table of derivatives and the scatter in launch that follows for small, independent spreads."""
     table = clubface.sensitivity(
         "driver",
         speed="113 mph",
