@@ -1,7 +1,7 @@
-"""From delivery to launch: one call for a shot, a batch or several models, by whatever computes the model.
+"""From delivery to launch: one call for a shot, a batch or several models, whichever backend computes them.
 
-The compiled core computes the reduced models, a module that is registered for it any other. Shots outside what their
-model or its parameters were made for are counted and reported in one line.
+The compiled core computes the reduced models, registered modules all others. Shots outside the range of validity of
+their model or its parameters are counted and reported in one line.
 """
 
 from __future__ import annotations
@@ -38,24 +38,24 @@ if TYPE_CHECKING:
 
 
 Problems = list[tuple[int, str, str]]
-"""Row, name of the input at fault, and reason of each shot without a launch."""
+"""For each shot without a launch: row, name of the input at fault, reason."""
 
 
 class Balls(NamedTuple):
-    """A ball as a backend computes it, and as the inputs of a shot describe it."""
+    """A ball in the form that a backend computes with, and as described by the inputs of a shot."""
 
-    own: Any  # what the backend takes; None where the inputs say everything
-    described: Any  # as of :func:`clubface.ball`
+    own: Any  # what the backend computes with; None if the inputs are enough
+    described: Any  # the ball as :func:`clubface.ball` returns it
 
 
 class Request(NamedTuple):
-    """Shots to compute: a column an input and parameter, each a number or an array of ``size`` numbers.
+    """Shots to compute: one column per input and parameter, a number or an array of ``size`` numbers.
 
-    With ``on_error`` "nan", what goes wrong with one shot does not stop the others.
+    With ``on_error`` "nan", a failed shot does not stop the others.
     """
 
-    own: Any  # the ball as :meth:`Backend.balls` gave it
-    club: Any  # the inputs hold its values, some of which a shot may have changed
+    own: Any  # the ball as :meth:`Backend.balls` returned it
+    club: Any  # its values are among the inputs, some possibly changed by a shot
     model: str
     inputs: Sequence[Any]
     parameters: Sequence[Any]
@@ -70,28 +70,28 @@ class Backend(Protocol):
     """Computes the launches of a model."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
-        """Return the ball that ``given`` means; refuse an accuracy that the backend does not take."""
+        """Return the ball for ``given``; raise InputError for an accuracy that the backend does not support."""
         ...
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
-        """Return outputs by shots, NaN for those without a launch, and what kept them from having one."""
+        """Return the outputs of all shots, NaN for those without a launch, and the reasons."""
         ...
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
-        """Return the forces of one shot over time as :class:`clubface.History` names them, None without a contact."""
+        """Return the force histories of one shot, named as in :class:`clubface.History`; None without a contact."""
         ...
 
     def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
-        """Return what :class:`clubface.History` holds, and the "launch"; asked of contact models alone."""
+        """Return the arrays of :class:`clubface.History` and the "launch"; called for contact models only."""
         ...
 
     def notes(self) -> Sequence[Note]:
-        """Return what is noted of every launch of the model, such as what bounds its error."""
+        """Return the notes on every launch of the model, such as a bound of its error."""
         ...
 
 
 class ReducedCore:
-    """The reduced models."""
+    """The backend of the reduced models: the compiled core."""
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
         """Return the ball as it is."""
@@ -113,15 +113,15 @@ class ReducedCore:
         )  # fmt: skip
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
-        """Return None: :func:`clubface.history` returns more."""
+        """Return None; use :func:`clubface.history`."""
         return None
 
     def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
-        """Compute one contact and keep every step."""
+        """Compute the time history of one contact."""
         return core.history(model, inputs, parameters, accuracy)
 
     def notes(self) -> Sequence[Note]:
-        """Return no note: caveats of a model stand with its parameters."""
+        """Return no notes: the caveats of a model belong to its parameters."""
         return ()
 
 
@@ -129,7 +129,7 @@ REDUCED = ReducedCore()
 
 
 def backend_of(model: str) -> Backend:
-    """Return what computes a model; of an unknown one, its parameters say that there is none."""
+    """Return the backend of a model; an unknown model is reported when its parameters are read."""
     if not isinstance(model, str):
         return REDUCED
     if model in OWN:
@@ -138,15 +138,15 @@ def backend_of(model: str) -> Backend:
 
 
 OFF_CENTRE = "off centre"
-"""What stands for a quantity where a ball is struck off the face centre by a model without gear effect."""
+"""Key for shots struck off the face centre with a model without gear effect, in place of a quantity."""
 OTHER_BALL = "ball"
-"""What stands for a quantity where a ball of other pieces has none."""
+"""Key for shots with a ball of another construction than that of the coefficients, in place of a quantity."""
 ROUNDING = 1e-9
-"""Part of a range by which a value that is converted from another unit may miss its ends."""
+"""Relative tolerance at the ends of a range, for values converted from another unit."""
 
 
 class Tally:
-    """Counts launches and those of them that are outside, by model, over any number of batches."""
+    """Counts shots, and those outside the range of validity, by model over any number of batches."""
 
     def __init__(self) -> None:
         self._shots: dict[str, int] = {}
@@ -167,11 +167,11 @@ class Tally:
         return self
 
     def counts(self) -> list[Any]:
-        """Return what is counted, made of what JSON has."""
+        """Return the counts in a form that JSON can hold."""
         return [self._shots, [[*key, *entry] for key, entry in self._outside.items()]]
 
     def add_counts(self, counts: Sequence[Any]) -> None:
-        """Add what another tally counted."""
+        """Add the counts of another tally."""
         shots, outside = counts
         for model, count in shots.items():
             self._shots[model] = self._shots.get(model, 0) + count
@@ -180,9 +180,9 @@ class Tally:
             self._outside[model, name] = (ends, before + count, value)
 
     def remark(self, *, counted: bool = True) -> str:
-        """Return the warning in one line, "" if no shot is outside.
+        """Return the warning in one line, or "" if no shot is outside.
 
-        One shot is reported with its values, several with their number, or without where they are not ``counted``.
+        One shot is reported with its values, several with their number unless ``counted`` is False.
         """
         alike: dict[str, list[str]] = {}
         for model in self._shots:
@@ -201,19 +201,19 @@ class Tally:
         return "; ".join(parts)
 
     def warn(self) -> None:
-        """Warn in one line if shots are outside; the same of the same models only once in a process."""
+        """Warn in one line if shots are outside; the same warning of the same models is given once per process."""
         if text := self.remark():
             warn_once(text, RangeWarning, key=self.remark(counted=False))
 
     def _names(self, model: str) -> list[str]:
-        """Return the quantities in which shots of a model are outside."""
+        """Return the quantities for which shots of a model are outside."""
         return [name for name in QUANTITIES if (model, name) in self._outside]
 
     def _part(self, models: list[str], name: str, *, counted: bool) -> str:
         """Return the part of the warning on one quantity, for models with the same range."""
         words, unit = QUANTITIES[name]
         ends, _, value = self._outside[models[0], name]
-        # The same shots by several models, or else other shots by each.
+        # The same shots computed by several models, else different shots by each.
         numbers = {(self._outside[each, name][1], self._shots[each]) for each in models}
         count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
         how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
@@ -221,13 +221,13 @@ class Tally:
 
 
 def warn_if_outside(launches: Iterable[Launch]) -> None:
-    """Warn as a tally of the launches does."""
+    """Warn in one line if shots of the launches are outside the range of validity."""
     if not is_silent(RangeWarning):
         Tally().add_all(launches).warn()
 
 
 def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
-    """Return by quantity how many shots of a launch are outside, and the value of the first of them."""
+    """Return for each quantity the number of shots of a launch that are outside, and the value of the first."""
     result = {}
     for name, (least, most) in launch.parameters.range.items():
         margin = ROUNDING * (most - least)
@@ -245,7 +245,7 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
         place = launch.input("toe"), launch.input("high")
         if any(value != 0.0 if type(value) is float else bool((value != 0.0).any()) for value in place):
             result[OFF_CENTRE] = (1, 0.0)
-    # The ball is known to differ from that of the coefficients, and has none of its own.
+    # The ball is known to differ from that of the coefficients, and has no coefficients of its own.
     other = ball.construction is not None and ball.name != described.ball and described.name not in ball.parameters
     if described.ball and launch.parameters.unchosen and other:
         result[OTHER_BALL] = (1, 0.0)
@@ -253,7 +253,7 @@ def _outside(launch: Launch) -> dict[str, tuple[int, float]]:
 
 
 def _value(launch: Launch, name: str) -> Any:
-    """Return a quantity of a range: a number, or an array of the shots, flat."""
+    """Return a quantity that has a range of validity: a number, or a flat array of the shots."""
     value = launch.input(name) if name in input_columns() else launch.parameters.values.get(name, 0.0)
     if type(value) is float or value.shape == (math.prod(launch.shape),):
         return value
@@ -263,9 +263,9 @@ def _value(launch: Launch, name: str) -> Any:
 
 
 def _incidence(launch: Launch, limit: float) -> Any:
-    """Return the angle [rad] between path and face normal, or 0 if it is certainly below the ``limit``.
+    """Return the angle between path and face normal [rad], or 0 if it is certainly below ``limit``.
 
-    No side of a triangle on a sphere is longer than the two others together, which saves its cosine nearly always.
+    The triangle inequality on the sphere decides most cases without computing the cosine.
     """
     attack, path, loft, face = (launch.input(name) for name in ("attack", "path", "loft", "face"))
     apart, sideways = loft - attack, path - face
@@ -350,48 +350,47 @@ def impact(
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     delivery
-        A :class:`Delivery` or a mapping of its values; single values given by name win.
+        A :class:`Delivery` or a mapping of its values; values given by keyword take precedence.
     model
-        The name of a model, ``response`` unless given; a list of names, or "all", gives a :class:`Comparison`.
+        Name of a model. Default: ``response``. A list of names, or "all", gives a :class:`Comparison`.
     parameters
-        A :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names to
-        values that changes the published set of the club's family, which is used where nothing is given. For
-        several models, a mapping of model names to these.
+        A :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of values that
+        replace those of the published set. Default: the published set of the club's family. For several models, a
+        mapping of model names to any of these.
     ball
-        A built-in name, the path of a TOML file, or a :class:`Ball`; left out, ``modern``.
+        A built-in name, the path of a TOML file, or a :class:`Ball`. Default: ``modern``.
     accuracy
-        Relative tolerance of a step of a contact model; left out, the launch is correct to 1e-4.
+        Relative tolerance per step of a contact model. Default: chosen so that the launch is correct to 1e-4.
     hand
-        "right" or "left"; left out, that of the club.
+        "right" or "left". Default: the hand of the club.
     threads
-        How many threads compute; all cores if left out. The result does not depend on it.
+        Number of threads. Default: all cores. The result does not depend on it.
     progress
-        Called with the number of shots done.
+        Function called with the number of shots done.
     on_error
-        What happens to a shot that cannot be computed: "raise" raises an error, "nan" gives NaN and an entry in
-        ``Launch.problems``.
+        "raise" raises an error for a shot that cannot be computed, "nan" gives NaN and an entry in ``Launch.problems``.
     **values
         Values of the delivery (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high``,
         ``closure``, ``pitch_rate``, ``lie_rate``) and of club and ball (``club_mass``, ``cg_x``, ``ball_mass``,
-        ...): text with a unit, SI numbers, or arrays, which broadcast. ``speed`` is required. An angle, an offset or
-        a rate that is left out is 0; the loft and all else are then those of club and ball.
+        ...): text with a unit, SI numbers, or arrays, which broadcast. ``speed`` is required. Angles, offsets and rates
+        default to 0, the loft and all other values to those of club and ball.
 
     Returns
     -------
     Launch
-        Its quantities have the shape to which the inputs broadcast.
+        The launches; quantities have the shape to which the inputs broadcast.
 
     Warns
     -----
     RangeWarning
-        Shots are outside what the model or its parameters were made for. It is given once, with their number.
+        Shots are outside the range of validity of the model or its parameters. Given once, with their number.
 
     Raises
     ------
     ShotError
-        An input is outside what is allowed; the message names it, its value and what is allowed.
+        An input is out of range; the message gives its name, its value and the allowed range.
     InputError
-        A value is no number, a unit has another dimension, a name is unknown, or memory does not hold the shots.
+        A value is not a number, a unit has the wrong dimension, a name is unknown, or the shots do not fit in memory.
     """
     values = dict(as_values(delivery, values))
     if not isinstance(model, str) or model == ALL:
@@ -421,7 +420,7 @@ def impact(
 
 
 def model_names(model: ModelNames) -> tuple[str, ...]:
-    """Return the names meant by one name, a list of names, or "all"."""
+    """Return the model names for one name, a list of names, or "all"."""
     if isinstance(model, str):
         return tuple(models()) if model == ALL else (model,)
     try:

@@ -1,7 +1,7 @@
-"""The inputs of an impact: from club, ball, delivery and parameters as a person writes them to the columns of the core.
+"""The inputs of an impact: from club, ball, delivery and parameters as given by the user to the columns of the core.
 
-A single shot must cost little more than its physics, so club, ball and parameter columns are kept, and a plain
-number goes straight into its column.
+A single shot must cost little more than its physics: the columns of clubs, balls and parameters are cached, and plain
+numbers go straight into their columns.
 """
 
 from __future__ import annotations
@@ -32,42 +32,42 @@ if TYPE_CHECKING:
 
     from clubface.simulation.pose import Head, Pose
     from clubface.support.arrays import NumberOrArray, ValueLike
-else:  # the same for readers of the documentation, without waiting for numpy
+else:  # the same for the documentation, without importing numpy
     ValueLike = float | str | Sequence[float] | Sequence[str]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Delivery:
-    """A delivery, each value text with a unit (``"113 mph"``), an SI number, or an array of either.
+    """A delivery of the clubhead. A value is text with a unit (``"113 mph"``), an SI number, or an array of either.
 
-    Velocity and angular velocity are those of the clubhead's CG at first touch. For a left-handed club path and face
-    angle stay in world terms, everything else follows the club.
+    Velocity and angular velocity are those of the clubhead's CG at first touch. For a left-handed club, path and face
+    angle remain relative to the world, everything else to the club.
 
     Attributes
     ----------
     speed
-        Speed of the clubhead [m/s]; the one value that cannot be left out.
+        Clubhead speed [m/s]; required.
     attack
-        Attack angle [rad], moving up is positive.
+        Attack angle [rad], upward is positive.
     path
-        Club path [rad], moving right of the target is positive.
+        Club path [rad], to the right of the target is positive.
     loft
-        Dynamic loft [rad]: face normal at the face centre above horizontal. Left out, it is the club's static loft.
+        Dynamic loft [rad]: elevation of the face normal at the face centre. Default: the club's static loft.
     face
-        Face angle [rad], pointing right of the target is positive.
+        Face angle [rad], to the right of the target is positive.
     lie
         Lie tilt [rad], toe up is positive.
     toe, high
-        Impact point [m] from the face centre, towards the toe and towards the crown.
+        Impact point relative to the face centre [m], positive towards the toe and towards the crown.
     closure
-        Rate of the face closing, about the vertical [rad/s].
+        Closure rate of the face about the vertical [rad/s].
     pitch_rate
-        Rate of the loft increasing [rad/s].
+        Rate of increase of the loft [rad/s].
     lie_rate
-        Rate of the toe rising [rad/s].
+        Rate of increase of the lie tilt, toe rising [rad/s].
     ball_backspin, ball_sidespin, ball_riflespin
-        Spin of the ball before impact [rad/s], about the horizontal to the right of the target, about the downward
-        vertical and about the horizontal to the target; zero for the ball at rest of golf.
+        Spin of the ball before impact [rad/s], about the horizontal to the right of the target, the downward vertical
+        and the horizontal to the target; zero for a ball at rest.
     """
 
     speed: Any
@@ -92,12 +92,12 @@ class Delivery:
                 object.__setattr__(self, name, units.parse_values(value, dimension, name=name))
 
     def values(self) -> dict[str, NumberOrArray]:
-        """Return the values given, SI, by name."""
+        """Return the given values by name [SI]."""
         given = {name: getattr(self, name) for name in DIMENSIONS}
         return {name: value for name, value in given.items() if value is not None}
 
     def replace(self, **changes: Any) -> Self:
-        """Return the delivery with some values changed."""
+        """Return a copy of the delivery with some values changed."""
         check_names("delivery value", changes, [each.name for each in fields(self)])
         return replace(self, **changes)
 
@@ -116,42 +116,43 @@ class Delivery:
         point: str | ArrayLike = "cg",
         hand: HandLike | None = None,
     ) -> Self:
-        """Return the delivery of a head whose pose and motion are known, as in a multibody program.
+        """Return the delivery of a head with known pose and motion, such as from a multibody program.
 
-        World axes: x to the target, y up, z to the right of the target line, also for a left-hander. The head moves on
-        (or back) with constant velocity and angular velocity until it touches the ball, which may be at most
-        a millisecond away. Leading axes broadcast.
+        World axes: x to the target, y up, z to the right of the target line, also for a left-hander. The head is moved
+        on (or back) with constant velocity and angular velocity to first touch, which must be within a millisecond.
+        Leading axes broadcast.
 
         Parameters
         ----------
         rotation
-            From the axes of the head to those of the world, shape (..., 3, 3), or a quaternion, real part first, shape
-            (..., 4). The axes of the head are those of the world while the club stands at its static loft with a
-            square face; the centre of mass and the inertia of a club are given in them.
+            Rotation from head axes to world axes, a matrix, shape (..., 3, 3), or a quaternion, real part first, shape
+            (..., 4). Head axes coincide with world axes while the club stands at its static loft with a square face;
+            the CG and the inertia of a club are given in them.
         position
-            Of a point of the head [m], shape (..., 3).
+            Position of a point of the head [m], shape (..., 3).
         velocity
-            Of the same point [m/s], shape (..., 3).
+            Velocity of the same point [m/s], shape (..., 3).
         angular_velocity
-            Of the head, in world axes [rad/s], shape (..., 3).
+            Angular velocity of the head, in world axes [rad/s], shape (..., 3).
         club, ball, hand
             As for :func:`impact`.
         ball_position
-            Centre of the ball, which is at rest [m], shape (..., 3).
+            Centre of the ball at rest [m], shape (..., 3).
         ball_angular_velocity
-            Of the ball, in world axes [rad/s], shape (..., 3).
+            Angular velocity of the ball, in world axes [rad/s], shape (..., 3).
         point
-            The point of the head that position and velocity are of: "cg", "face_centre", or the vector to it from
-            the CG in the axes of the head [m].
+            Point of the head to which position and velocity refer: "cg", "face_centre", or the vector to it from the CG
+            in head axes [m].
 
         Raises
         ------
         InputError
-            The rotation is none, a shape does not fit, or the head does not touch the ball within a millisecond.
+            The rotation is not a rotation, an array has the wrong shape, or the head does not touch the ball within a
+            millisecond.
 
         See Also
         --------
-        Delivery.pose : the way back.
+        Delivery.pose : the inverse.
         """
         import numpy as np
 
@@ -190,9 +191,9 @@ class Delivery:
         point: str | ArrayLike = "cg",
         hand: HandLike | None = None,
     ) -> Pose:
-        """Return rotation, position, velocity and angular velocity of the head at first touch.
+        """Return the pose and motion of the head at first touch; the inverse of :meth:`from_pose`.
 
-        The parameters and the axes are those of :meth:`from_pose`, of which this is the way back.
+        Parameters and axes are those of :meth:`from_pose`.
         """
         import numpy as np
 
@@ -215,20 +216,20 @@ HandLike = ValueLike
 
 
 DIMENSIONS = {name: each.dimension for name, each in inputs().items() if each.group == "delivery"}
-"""The dimension of each value of a delivery, in the order of the core."""
+"""Dimension of each value of a delivery, in the order of the core."""
 BALL_SPINS = ("ball_backspin", "ball_sidespin", "ball_riflespin")
 OF_CLUB = {name: dimension for name, dimension in DIMENSIONS.items() if name not in BALL_SPINS}
-"""The same of those that the club has."""
+"""Dimension of each value of a delivery that describes the club rather than the ball."""
 UNITS = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
-"""The unit in which each dimension of a delivery is read and written."""
+"""Unit for reading and writing each dimension of a delivery."""
 DELIVERY_QUANTITIES = {name: PhysicalValue(UNITS[dimension]) for name, dimension in DIMENSIONS.items()}
-"""The kind of each value of a delivery in a file."""
+"""Schema of each value of a delivery in a file."""
 LONGEST_ADVANCE = 1e-3
-"""How long a head may move on to first touch [s]: a millisecond of a swing is 45 mm, along which nothing bends yet."""
+"""Maximum time from a pose to first touch [s]; in a millisecond a head moves 45 mm, nearly straight."""
 NOT_ORTHOGONAL = 1e-6
-"""By how much the product of a rotation and its transpose may miss the identity."""
+"""Maximum deviation of R^T R from the identity for a rotation matrix R."""
 CG, FACE_CENTRE = "cg", "face_centre"
-"""The points of a head that go by name."""
+"""Points of a head that can be given by name."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -252,11 +253,11 @@ class Equipment(NamedTuple):
 
     club: Club
     ball: Ball
-    columns: tuple[float, ...]  # the inputs of a shot that is delivered with zeros at the static loft
+    columns: tuple[float, ...]  # inputs of a shot at the static loft whose other delivery values are 0
 
 
 def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
-    """Return the geometry by which a head touches a ball."""
+    """Return the geometry of head and ball that determines first touch."""
     from clubface.simulation.pose import Head
 
     values = dict(zip(inputs(), setup.columns, strict=True))
@@ -266,7 +267,7 @@ def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
 
 
 def point_of(head: Head, point: Any) -> NDArray[Any]:
-    """Return the vector from the CG of a head to a point of it, in its own axes [m], shape (..., 3)."""
+    """Return the vector from the CG of a head to one of its points, in head axes [m], shape (..., 3)."""
     import numpy as np
 
     if isinstance(point, str):
@@ -277,7 +278,7 @@ def point_of(head: Head, point: Any) -> NDArray[Any]:
 
 
 def _vector(value: Any, name: str, dimension: str) -> NDArray[Any]:
-    """Return vectors as an array of shape (..., 3)."""
+    """Convert vectors to an array of shape (..., 3)."""
     import numpy as np
 
     array = np.asarray(parse_values(value, dimension, name=name))
@@ -287,7 +288,7 @@ def _vector(value: Any, name: str, dimension: str) -> NDArray[Any]:
 
 
 def _rotation(value: Any) -> NDArray[Any]:
-    """Return rotation matrices, shape (..., 3, 3), or quaternions, shape (..., 4)."""
+    """Convert and check rotation matrices, shape (..., 3, 3), or quaternions, shape (..., 4)."""
     import numpy as np
 
     array = np.asarray(parse_values(value, units.DIMENSIONLESS, name="rotation"))
@@ -306,29 +307,29 @@ def _rotation(value: Any) -> NDArray[Any]:
 
 
 class Shots(NamedTuple):
-    """Shots as the core takes them."""
+    """Inputs of shots in the form that the core takes."""
 
     club: Club
     ball: Ball
-    columns: list[Any]  # one an input: a number, or an array of the shots, flat
-    shape: tuple[int, ...]  # to which the inputs broadcast; () for a single shot
+    columns: list[Any]  # one per input: a number, or a flat array of the shots
+    shape: tuple[int, ...]  # shape to which the inputs broadcast; () for a single shot
     varied: dict[str, NDArray[Any]]  # the inputs and parameters given as arrays, by name, not broadcast
-    loft_assumed: bool = False  # whether no dynamic loft was given, so that the static loft is taken for it
+    loft_assumed: bool = False  # whether the static loft replaces a dynamic loft that was not given
 
 
 class Prepared(NamedTuple):
-    """Shots with everything that a model needs to compute them."""
+    """Shots, equipment and parameters, ready for a model to compute."""
 
     shots: Shots  # the inputs, broadcast
     chosen: ParameterSet
-    parameters: list[Any]  # one a parameter of the model: a number, or an array of the shots, flat
+    parameters: list[Any]  # one per parameter of the model: a number, or a flat array of the shots
 
     def error(self, error: ValueError) -> ShotError:
         """Turn the core's ``ValueError(name, message)`` about one shot into an error of the package."""
         return translate_core_error(error, lambda name: self.value_of(name, 0))
 
     def value_of(self, name: str, row: int) -> Any:
-        """Return the value [SI] of an input or parameter in one row; None of anything else."""
+        """Return the value of an input or parameter in one row [SI]; None for any other name."""
         if name in input_columns():
             value = self.shots.columns[input_columns()[name]]
         elif name in self.chosen.values:
@@ -349,10 +350,10 @@ def prepare(
     outputs: int | None = None,
     single: str = "",
 ) -> Prepared:
-    """Return shots as a model takes them; the arguments are those of :func:`clubface.impact`.
+    """Prepare shots for a model; arguments as for :func:`clubface.impact`.
 
-    ``outputs`` are the numbers that are computed of each shot, for which there must be memory. What is computed of a
-    ``single`` shot alone, as it is called, refuses arrays.
+    ``outputs`` is the number of values computed per shot, which must fit in memory. ``single`` names a computation that
+    takes a single shot only; arrays then raise InputError.
     """
     setup, chosen = equipped(model_name, club, ball, parameters)
     laid_out = shots(setup, values, hand=hand)
@@ -367,7 +368,7 @@ def prepare(
 def equipment(
     club_or_name: str | os.PathLike[str] | Club, ball_or_name: str | os.PathLike[str] | Ball | None
 ) -> Equipment:
-    """Return club and ball; built-in and ready-made ones are kept, files are read anew."""
+    """Return club and ball; built-in names and objects are cached, files are read again."""
     ball_or_name = getattr(ball_or_name, "rigid", ball_or_name)
     if is_path(club_or_name) or is_path(ball_or_name):
         return _equip(club_or_name, ball_or_name)
@@ -392,12 +393,12 @@ def equipped(
     ball_or_name: str | os.PathLike[str] | Ball | None,
     given: Any,
 ) -> tuple[Equipment, ParameterSet]:
-    """Return club and ball as a model takes them, and its parameters; ``given`` is as for :func:`parameter_set`."""
+    """Return club and ball as a model takes them, and its parameters; ``given`` as for :func:`parameter_set`."""
     if given is None and not (is_path(club_or_name) or is_path(ball_or_name)):
         try:
             return _usual(model_name, club_or_name, ball_or_name, None)
         except TypeError:
-            pass  # not hashable, and so no club or ball: the message below says which
+            pass  # not hashable, hence neither a club nor a ball: reported below
     return _equipped(model_name, club_or_name, ball_or_name, given)
 
 
@@ -416,7 +417,7 @@ _usual = lru_cache(maxsize=256)(_equipped)
 def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None = None) -> Shots:
     """Lay out shots whose inputs differ from ``setup`` by ``values``: text with a unit, SI numbers, or arrays.
 
-    A value that is None counts as left out. The loft left out is the club's; the speed cannot be left out.
+    None counts as not given. The loft defaults to the club's static loft; the speed is required.
     """
     columns: list[Any] = list(setup.columns)
     column_of = input_columns()
@@ -445,7 +446,7 @@ def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None 
 
 
 def hand_value(hand: Any) -> Any:
-    """Return +1.0 for "right" or 1 and -1.0 for "left" or -1; an array stays one."""
+    """Return +1.0 for "right" or 1 and -1.0 for "left" or -1, likewise for arrays."""
     if isinstance(hand, str):
         check_choice(_HAND, hand, HANDS)
         return float(HANDS[hand])
@@ -453,7 +454,7 @@ def hand_value(hand: Any) -> Any:
 
 
 def _parsed(value: Any, name: str) -> Any:
-    """Return a float, or a float64 array; text is converted from its unit."""
+    """Convert a value to a float or a float64 array [SI]; text is converted from its unit."""
     if isinstance(value, str):
         return _parsed_text(value, name)
     value = parse_values(value, input_dimensions()[name], name=name)
@@ -467,7 +468,7 @@ def _parsed_text(value: str, name: str) -> float:
 
 
 def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:
-    """Bring array inputs and parameters (called ``names``) to one shape, flat, if there is memory for ``outputs``."""
+    """Broadcast array inputs and parameters (called ``names``) to flat arrays; check the memory for ``outputs``."""
     import numpy as np
 
     if not shots.varied and set(map(type, parameters)) <= {float}:
@@ -501,22 +502,22 @@ def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
 
 
 def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | None = None) -> ParameterSet:
-    """Return the parameters to use: the published set of the club's family with the ball's values, or the ``given``.
+    """Return the parameters to use: ``given``, or the published set of the club's family with the ball's values.
 
-    That may be a :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of names
-    to values that changes the published set.
+    ``given`` may be a :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of
+    values that replace those of the published set.
     """
     chosen = _chosen(model_name, of_club.parameters, given)
     if of_ball is None:
         return chosen
-    # The values that belong to a ball: its own for the model, and its friction where no shots gave another.
+    # Values that belong to the ball: its own for the model, and its friction unless fitted to shots.
     takes_friction = "friction" in chosen.values and not chosen.includes_face and of_ball.friction is not None
     friction: Any = {"friction": of_ball.friction} if takes_friction else {}
     return chosen.of_ball(of_ball.name, {**friction, **of_ball.parameters.get(model_name, {})})
 
 
 def forget_parameters() -> None:
-    """Forget what is kept of parameters, since those of a model have changed."""
+    """Clear the caches of parameters after those of a model have changed."""
     _published.cache_clear()
     _usual.cache_clear()
 
@@ -546,7 +547,7 @@ def _published(model_name: str, family: str) -> ParameterSet:
 
 
 def as_values(delivery: DeliveryLike | None, values: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Join a delivery and single values, which win."""
+    """Merge a delivery and single values, which take precedence."""
     if delivery is None:
         return values
     given = delivery.values() if isinstance(delivery, Delivery) else delivery
@@ -556,18 +557,18 @@ def as_values(delivery: DeliveryLike | None, values: Mapping[str, Any]) -> Mappi
 
 
 MOST_THREADS = 1024
-"""More than any machine has cores, so that a typing error does not start a million threads."""
+"""Maximum number of threads, so that a typing error does not start a million."""
 FINEST, COARSEST = 1e-13, 1e-2
-"""Tolerances of a step that the core takes."""
+"""Smallest and largest relative tolerance per step that the core accepts."""
 
 
 def check_on_error(on_error: object) -> None:
-    """Refuse a word that is not "raise" or "nan"."""
+    """Raise InputError unless ``on_error`` is "raise" or "nan"."""
     check_choice("on_error", on_error, ("raise", "nan"))
 
 
 def thread_count(threads: object) -> int:
-    """Return the number of threads as the core takes it, 0 for all cores."""
+    """Return the number of threads for the core, 0 for all cores."""
     if threads is None:
         return 0
     count = whole(threads)
@@ -577,7 +578,7 @@ def thread_count(threads: object) -> int:
 
 
 def tolerance(accuracy: object) -> float | None:
-    """Return the tolerance of a step, None for the fast setting."""
+    """Return the relative tolerance per step, None for the fast setting."""
     if accuracy is None:
         return None
     result = units.parse(accuracy, units.DIMENSIONLESS, name="accuracy")

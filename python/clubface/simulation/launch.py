@@ -1,4 +1,4 @@
-"""The launch of the ball: the result of an impact, and the vectors that a launch monitor's values stand for."""
+"""The launch of the ball: the result of an impact; conversion of launch monitor values to vectors."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 
 class Launch(Batch):
-    """The launch of the ball, SI and radians; every quantity is an attribute, of the shape of the batch.
+    """The launch of the ball in SI and radians; every quantity is an attribute of the shape of the batch.
 
     Attributes
     ----------
     ball_speed
-        [m/s].
+        Ball speed [m/s].
     smash
         Ball speed over clubhead speed.
     launch
@@ -43,25 +43,26 @@ class Launch(Batch):
     azimuth
         Launch direction [rad], right of the target is positive.
     backspin
-        Angular velocity about the horizontal axis to the right of the launch direction [rad/s]; lifts.
+        Angular velocity about the horizontal axis to the right of the launch direction [rad/s]; positive lifts the
+        ball.
     sidespin
-        Minus the vertical angular velocity [rad/s]: curves right.
+        Minus the vertical angular velocity [rad/s]; positive curves the ball to the right.
     total_spin
         Magnitude of the angular velocity [rad/s].
     spin_axis
         Tilt of the spin axis, atan2(sidespin, backspin) [rad].
     velocity_x, velocity_y, velocity_z
-        Ball velocity to the target, up, right [m/s].
+        Ball velocity to the target, up and right [m/s].
     spin_x, spin_y, spin_z
-        Ball angular velocity about these axes [rad/s].
+        Angular velocity of the ball about these axes [rad/s].
     club_velocity_x, club_velocity_y, club_velocity_z
         Clubhead velocity after impact [m/s].
     club_spin_x, club_spin_y, club_spin_z
         Clubhead angular velocity after impact [rad/s].
     contact_time
-        [s]; NaN for a model without a time scale.
+        Contact time [s]; NaN for a model without a time scale.
     peak_force
-        Largest normal force [N]; NaN for a model without a time scale.
+        Peak normal force [N]; NaN for a model without a time scale.
     model
         Name of the model.
     parameters
@@ -69,9 +70,9 @@ class Launch(Batch):
     club, ball
         The club and the ball.
     shape
-        The shape the inputs broadcast to; () for a single shot.
+        Shape to which the inputs broadcast; () for a single shot.
     problems
-        The shots without a launch (their values are NaN) and why.
+        The shots without a launch, whose values are NaN, with the reasons.
     """
 
     _kind = "launch"
@@ -118,7 +119,7 @@ class Launch(Batch):
 
     @classmethod
     def quantities(cls) -> Mapping[str, Variable]:
-        """Return the quantities by name, with unit and meaning."""
+        """Return the quantities of a launch by name, with unit and meaning."""
         return outputs()
 
     def _headline(self) -> str:
@@ -139,7 +140,7 @@ class Launch(Batch):
 
     @property
     def varied(self) -> Mapping[str, Varied]:
-        """The inputs and parameters that were given as arrays, by name."""
+        """The inputs and parameters given as arrays, by name."""
         result = {}
         for name, values in self._shots.varied.items():
             each = inputs()[name] if name in inputs() else model(self.model).parameter(name)
@@ -148,16 +149,16 @@ class Launch(Batch):
 
     @property
     def loft_assumed(self) -> bool:
-        """Whether no dynamic loft was given, so that the static loft of the club was taken for it."""
+        """Whether the static loft of the club was used because no dynamic loft was given."""
         return self._shots.loft_assumed
 
     @property
     def delivery(self) -> dict[str, NumberOrArray]:
-        """The delivery computed, SI, by name; an array is flat."""
+        """The values of the delivery by name [SI]; arrays are flat."""
         return {name: self.input(name) for name, each in inputs().items() if each.group == "delivery"}
 
     def input(self, name: str) -> NumberOrArray:
-        """Return the value [SI] of an input, of club and ball as well; an array is flat."""
+        """Return the value of an input of delivery, club or ball [SI]; arrays are flat."""
         return self._shots.columns[input_columns()[name]]
 
     @property
@@ -179,10 +180,10 @@ class Launch(Batch):
 
 
 def assumptions_of(launches: Iterable[Launch]) -> tuple[Note, ...]:
-    """Return the assumptions that stand before the figures.
+    """Return the notes on assumptions, which are shown before the numbers.
 
-    The static loft of the club where no dynamic loft was given, and the caveats of a variant of a published set, such
-    as the values as printed.
+    They cover the static loft of the club where no dynamic loft was given, and the caveats of a variant of a published
+    set, such as the values as printed.
     """
     lofts: dict[str, None] = {}
     sets: dict[Note, None] = {}
@@ -197,15 +198,15 @@ def assumptions_of(launches: Iterable[Launch]) -> tuple[Note, ...]:
 
 
 def variant_caveats(parameters: ParameterSet) -> tuple[Note, ...]:
-    """Return the caveats of a variant of a published set in one note; nothing of other sets."""
+    """Return one note with the caveats of a variant of a published set; empty for other sets."""
     if "/" not in parameters.name or not parameters.caveats:
         return ()
     return (note("variant-caveats", model=parameters.model, set=parameters.name, caveats=list(parameters.caveats)),)
 
 
 def rigid_faces(launches: Mapping[str, Launch]) -> tuple[Note, ...]:
-    """Return the note that names the launches with a rigid face, if the face of others gives."""
-    # A face gives by its characteristic time or that of the parameters, or as a mesh that is hit.
+    """Return the note that names launches with a rigid face, if other launches have a flexible face."""
+    # A face is flexible by its characteristic time, or that of the parameters, or as a mesh.
     rigid = [name for name, each in launches.items() if not np.any(each.input("characteristic_time"))
              and not (each.model in MODULES and hasattr(each.club, "head"))]  # fmt: skip
     return (note("rigid-faces", names=rigid),) if 0 < len(rigid) < len(launches) else ()
@@ -219,7 +220,7 @@ def computed_with(
     accuracy: float | None,
     varied: Mapping[str, Any] = Frozen({}),
 ) -> dict[str, Any]:
-    """Return the provenance that launches share: model, parameters with source and caveats, club, ball and version."""
+    """Return the provenance shared by launches: model, parameters with source and caveats, club, ball, version."""
     declared = model(of_model)
     return {
         "model": {"name": declared.name, "reference": declared.reference},
@@ -240,10 +241,10 @@ def computed_with(
 
 
 class Comparison(dict[str, Launch], Presentable):
-    """Launches of the same shots by several models, by the name of the model."""
+    """Launches of the same shots by model name."""
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return the rows of all launches, SI, the model in the first column; ``attrs`` as of a launch."""
+        """Return the rows of all launches, SI, with the model in the first column; ``attrs`` as for a launch."""
         import pandas
 
         frames = {name: each.to_pandas() for name, each in self.items()}
@@ -256,7 +257,7 @@ class Comparison(dict[str, Launch], Presentable):
         return table
 
     def to_xarray(self) -> xarray.Dataset:
-        """Return the datasets of all launches as one, over ``model`` and the dimensions of the shots."""
+        """Return one dataset of all launches over ``model`` and the dimensions of the shots."""
         import xarray
 
         names = xarray.DataArray(list(self), dims="model", name="model")
@@ -264,7 +265,7 @@ class Comparison(dict[str, Launch], Presentable):
         return xarray.concat(datasets, names, combine_attrs="drop_conflicts")
 
     def to_result(self) -> Result:
-        """Return one row a shot and model."""
+        """Return a table with one row per shot and model."""
         from clubface.simulation.shot_result import comparison_result
 
         return comparison_result(self)
@@ -274,7 +275,7 @@ class Comparison(dict[str, Launch], Presentable):
 
 
 def _number(name: str, value: Any, varied: Mapping[str, Any]) -> Any:
-    """Return a number for provenance, or where it was an array, its extent."""
+    """Return a number for provenance, or the shape and range of an array."""
     if name not in varied:
         return value
     values = varied[name]
@@ -282,16 +283,16 @@ def _number(name: str, value: Any, varied: Mapping[str, Any]) -> Any:
 
 
 MONITOR = ("ball_speed", "launch", "azimuth", *SPINS)
-"""The quantities that a launch monitor reports, under the names and with the signs of a launch."""
+"""Quantities reported by a launch monitor, with the names and signs of a launch."""
 
 
 def vectors(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the inputs of a flight for a launch given as vectors or in the terms of a launch monitor.
+    """Return the flight inputs of a launch given as vectors or as launch monitor values.
 
     Velocity is v (cos(launch) cos(azimuth), sin(launch), cos(launch) sin(azimuth)). Backspin turns about the
     horizontal axis to the right of the launch direction, (-sin(azimuth), 0, cos(azimuth)), sidespin about the
-    vertical pointing down; a launch monitor sees no spin about the launch direction, and there is none. Any two spins
-    that settle the others will do (:mod:`clubface.simulation.spin`); a warning says what is assumed where none do.
+    vertical pointing down; a launch monitor sees no spin about the launch direction, so it is 0. Any two spins that
+    determine the others suffice (:mod:`clubface.simulation.spin`); otherwise a warning states the assumption.
     """
     inputs = flight_inputs()
     known = [*MONITOR, *(name for name, each in inputs.items() if each.group in ("launch", "ball"))]
@@ -329,7 +330,7 @@ def _from_terms(terms: dict[str, Any]) -> dict[str, Any]:
 
 
 def components(xp: Any, speed: Any, launch: Any, azimuth: Any, backspin: Any, sidespin: Any) -> dict[str, Any]:
-    """Return velocity and spin of a launch as :func:`vectors` defines them, computed by the array library ``xp``."""
+    """Return velocity and spin of a launch as defined by :func:`vectors`, using the array library ``xp``."""
     level = speed * xp.cos(launch)
     return {
         "velocity_x": level * xp.cos(azimuth), "velocity_y": speed * xp.sin(launch),
