@@ -1,7 +1,7 @@
-"""Shots whose launch angle and start direction are as measured: dynamic loft and face angle are solved for each shot.
+"""Shots with measured launch angle and start direction, for which dynamic loft and face angle are solved.
 
-Loft and face angle of a launch monitor are often computed from the ball by the monitor's own impact model. Spin and
-ball speed at the measured launch use neither, so they judge a model by what was measured.
+Launch monitors often compute loft and face angle from the ball with an impact model of their own. Spin and ball speed
+at the measured launch use neither, so they test a model against measured values only.
 """
 
 from __future__ import annotations
@@ -25,38 +25,38 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import without_warnings
 
 LOWEST, STEEPEST = units.to_si(-20.0, "deg"), units.to_si(78.0, "deg")
-"""The dynamic lofts [rad] between which one is searched."""
+"""Bounds of the dynamic loft [rad]."""
 WIDEST = units.to_si(60.0, "deg")
-"""The largest face angle [rad] that is tried."""
+"""Bound of the magnitude of the face angle [rad]."""
 LIMITS = np.array([[LOWEST, STEEPEST], [-WIDEST, WIDEST]])
 LOFT_SHARE, FACE_SHARE = 0.85, 0.75
-"""Changes of launch angle with loft and of start direction with face angle, for the first step of the search."""
+"""Initial slopes: change of launch angle per loft, and of start direction per face angle."""
 LONGEST = units.to_si(10.0, "deg")
-"""The largest change of an angle in one step [rad]."""
+"""Maximum change of an angle per step [rad]."""
 FAR_APART = 1e-3
-"""Tries closer together [rad] keep the slopes, which the steps of contact models would spoil."""
+"""Minimum step for updating the slopes [rad]; below it, discretisation errors of contact models would spoil them."""
 TRIES = 16
 RESOLUTION, COARSE_RESOLUTION = 1e-10, 1e-5
-"""How closely a solution gives launch angle and start direction [rad]: by a reduced model, and by one that takes long.
-"""
+"""Tolerance of launch angle and start direction [rad], for reduced models and for slow models."""
 REACHED = 2e-5
-"""What is further off [rad] after all tries is out of reach; the steps of contact models alone make some 1e-6."""
+"""Maximum error of a solution after all iterations [rad]; contact models alone have errors of about 1e-6."""
 LEAST_DETERMINANT = 1e-3
-"""Of the slopes; below it a step means nothing."""
+"""Minimum determinant of the slopes; below it no step is taken."""
 
 Directions = Callable[[Floats, NDArray[np.intp]], Floats]
-"""Launch angles and azimuths [rad], shape (angles, n), of lofts and face angles, the same shape, of shots by place."""
+"""Function of lofts and face angles [rad], shape (angles, n), and indices of shots; returns launch angles and
+azimuths."""
 
 
 class ConditionedLaunch(NamedTuple):
-    """Shots whose launch angle and start direction agree with given ones.
+    """Shots with given launch angle and start direction.
 
     Attributes
     ----------
     loft, face
-        The solved dynamic loft and face angle [rad], of the shape of the shots; NaN where none gives the launch.
+        The solved dynamic loft and face angle [rad], of the shape of the shots; NaN where there is no solution.
     launch
-        The launches of the model with them.
+        The launches with this loft and face angle.
     """
 
     loft: Any
@@ -77,24 +77,24 @@ def impact_at_launch(
     threads: int | None = None,
     **values: ValueLike | None,
 ) -> ConditionedLaunch:
-    """Compute shots with the dynamic loft and face angle that give their measured launch angle and start direction.
+    """Solve for the dynamic loft and face angle that give measured launch angles and start directions.
 
     Parameters
     ----------
     club, delivery, model, parameters, ball, accuracy, threads, **values
-        As for :func:`clubface.impact`, but that the loft counts for nothing, and the face angle only without
-        ``azimuth``. A shot that cannot be computed is NaN.
+        As for :func:`clubface.impact`; the loft is ignored, and so is the face angle if ``azimuth`` is given. A shot
+        that cannot be computed is NaN.
     launch
         Launch angle: text with a unit, radians, or arrays, which broadcast with the other values.
     azimuth
-        Start direction, positive to the right, likewise. If left out, the face angle is as given, 0 unless given, and
-        the loft alone is solved.
+        Start direction, positive to the right, in the same form. Default: the face angle is kept, and only the loft is
+        solved.
 
     Returns
     -------
     ConditionedLaunch
-        Lofts, face angles and launches; NaN where no loft between -20 and 78 degrees, with a face angle within 60
-        degrees, gives the launch.
+        Lofts, face angles and launches; NaN where no loft between -20 and 78 degrees with a face angle up to 60 degrees
+        gives the launch.
     """
     given = {name: value for name, value in as_values(delivery, values).items() if value is not None}
     wanted = [_angle(launch, "launch")] + ([] if azimuth is None else [_angle(azimuth, "azimuth")])
@@ -104,7 +104,7 @@ def impact_at_launch(
     last: dict[str, Any] = {}
 
     def strike(angles: list[Any]) -> Launch:
-        with without_warnings(RangeWarning):  # of tries
+        with without_warnings(RangeWarning):  # of trial shots
             last["angles"] = angles
             last["launch"] = impact(
                 club, {**given, "loft": angles[0], "face": angles[1]}, model=model, parameters=parameters, ball=ball,
@@ -135,11 +135,11 @@ def impact_at_launch(
 
 
 def solve_angles(directions: Directions, begin: Floats, wanted: Floats, resolution: float = RESOLUTION) -> Floats:
-    """Return the lofts, or lofts and face angles, with which shots start as wanted; NaN where none is in reach.
+    """Return the lofts, or lofts and face angles, that give the wanted launch; NaN where there is no solution.
 
-    Every shot goes its own way by Broyden's method, which for the loft alone is that of secants; a shot that has
-    arrived is not computed again. The search begins at ``begin`` [rad], shape (1 or 2, shots), and meets the launch
-    angles, or launch angles and azimuths, that are ``wanted`` [rad] up to ``resolution``.
+    Uses Broyden's method for each shot, which for the loft alone is the secant method; converged shots are not computed
+    again. The search starts at ``begin`` [rad], shape (1 or 2, shots), and solves for the ``wanted`` launch angles, or
+    launch angles and azimuths [rad], to ``resolution``.
     """
     count, shots = begin.shape
     limits = LIMITS[:count, :, None]
@@ -157,7 +157,7 @@ def solve_angles(directions: Directions, begin: Floats, wanted: Floats, resoluti
         worse = ~(off < least[active])
         better = active[~worse]
         best[:, better], least[better] = angles[:, better], off[~worse]
-        # Within reach and no nearer than before: what remains are the steps of a contact model.
+        # Close, and no better than before: what remains is the discretisation error of a contact model.
         stuck = worse & (least[active] <= REACHED)
         going = np.isfinite(off) & (off > resolution) & ~stuck
         active, result = active[going], result[:, going]
@@ -174,7 +174,7 @@ def solve_angles(directions: Directions, begin: Floats, wanted: Floats, resoluti
 
 
 def _update(slopes: Floats, active: NDArray[np.intp], step: Floats, change: Floats) -> None:
-    """Let the slopes of the shots explain what their last step changed."""
+    """Update the slopes of the shots by Broyden's formula."""
     length = np.sum(step * step, axis=0)
     usable = (length > FAR_APART**2) & np.isfinite(change).all(axis=0)
     step, change, which = step[:, usable], change[:, usable], active[usable]
@@ -183,7 +183,7 @@ def _update(slopes: Floats, active: NDArray[np.intp], step: Floats, change: Floa
 
 
 def _steps(slopes: Floats, errors: Floats) -> Floats:
-    """Return the steps that take the errors to zero, none longer than ``LONGEST``; none where slopes mean nothing."""
+    """Return Newton steps, none longer than ``LONGEST``; zero where the slopes are singular."""
     usable = np.abs(np.linalg.det(slopes)) > LEAST_DETERMINANT
     steps = np.zeros_like(errors)
     steps[:, usable] = -np.linalg.solve(slopes[usable], errors.T[usable][..., None])[..., 0].T
@@ -196,5 +196,5 @@ def _angle(value: Any, name: str) -> Floats:
 
 
 def _shaped(values: Floats, shape: tuple[int, ...]) -> Any:
-    """Return values of flat shots in their shape; a number for a single shot."""
+    """Reshape flat values to the shape of the shots; return a number for a single shot."""
     return values.reshape(shape) if shape else float(values[0])

@@ -1,8 +1,7 @@
-"""Impact in a program that moves the bodies: forces from motion, or a ball that is moved through the contact.
+"""Impact in multibody programs: contact forces from the motion of the bodies, or a ball moved through the contact.
 
-World axes: x to the target, y up, z to the right of the target line, also for a left-hander. The axes of a head are
-those of the world while the club stands at its static loft with a square face, as for
-:meth:`clubface.Delivery.from_pose`.
+World axes: x to the target, y up, z to the right of the target line, also for a left-hander. Head axes coincide with
+world axes while the club stands at its static loft with a square face, as for :meth:`clubface.Delivery.from_pose`.
 """
 
 from __future__ import annotations
@@ -34,23 +33,23 @@ if TYPE_CHECKING:
 __all__ = ["BallMotion", "StepLoads", "SteppedContact", "StruckBall", "Wrench"]
 
 DEFAULT_MODEL = "volumetric"
-"""The contact model that is taken where none is named."""
+"""Default contact model."""
 SPEED = 1.0
-"""A clubhead speed [m/s], which inputs must have and nothing here depends on."""
+"""Clubhead speed [m/s]; the inputs require one, but nothing here depends on it."""
 PHASES = ("waiting", "contact", "launched")
 
 
 class BallMotion(NamedTuple):
-    """Where a ball is and how it moves, world axes.
+    """Position and motion of a ball in world axes.
 
     Attributes
     ----------
     position
-        Of its centre [m], shape (3,).
+        Position of the centre [m], shape (3,).
     velocity
-        [m/s], shape (3,).
+        Velocity of the centre [m/s], shape (3,).
     angular_velocity
-        [rad/s], shape (3,): all its angular momentum over its inertia, if its cover turns on its core.
+        Angular velocity [rad/s], shape (3,); of a layered ball, its total angular momentum over its inertia.
     """
 
     position: Any
@@ -59,24 +58,24 @@ class BallMotion(NamedTuple):
 
 
 class Wrench(NamedTuple):
-    """What acts between head and ball at one instant, world axes; vectors have the shape (3,).
+    """Force and moments between head and ball at one instant, in world axes; vectors have shape (3,).
 
     Attributes
     ----------
     force
-        On the ball [N]; its opposite acts on the head.
+        Force on the ball [N]; the opposite force acts on the head.
     ball_torque
-        On the ball about its centre [N m].
+        Moment on the ball about its centre [N m].
     head_torque
-        On the head about its CG [N m].
+        Moment on the head about its CG [N m].
     point
-        At which the force acts [m].
+        Point of application of the force [m].
     normal_force
-        [N].
+        Normal force [N].
     penetration
-        [m], negative when apart; nothing acts then.
+        Penetration of ball and face [m]; negative when they are apart and no force acts.
     penetration_rate
-        [m/s].
+        Rate of penetration [m/s].
     """
 
     force: Floats
@@ -89,23 +88,23 @@ class Wrench(NamedTuple):
 
     @classmethod
     def from_values(cls, v: Floats) -> Wrench:
-        """Return the wrench of the 15 numbers of the core, or of their derivatives along further axes."""
+        """Build a wrench from the 15 numbers of the core, or from their derivatives along further axes."""
         return cls(v[0:3], v[3:6], v[6:9], v[9:12], v[12], v[13], v[14])
 
 
 class StepLoads(NamedTuple):
-    """What acts over one step of a struck ball, world axes.
+    """Mean loads over one step of a struck ball, in world axes.
 
     Attributes
     ----------
     force
-        Mean force on the head [N], shape (3,); its opposite acts on the ball.
+        Mean force on the head [N], shape (3,); the opposite force acts on the ball.
     torque
         Mean torque on the head about its CG [N m], shape (3,).
     normal_force
-        At the end of the step [N].
+        Normal force at the end of the step [N].
     penetration
-        At the end of the step [m], negative when apart.
+        Penetration at the end of the step [m], negative when apart.
     """
 
     force: Floats
@@ -120,13 +119,13 @@ class WrenchDerivatives(NamedTuple):
     Attributes
     ----------
     wrench, rates
-        Their values; the rates [1/s of each state], shape (internal states,).
+        The wrench, and the rates of the internal states [unit of the state per s], shape (internal states,).
     wrench_derivatives
-        A :class:`Wrench` whose values have a last axis more: the 21 numbers of motion and the internal states. Motion
-        is position, small turn about the axes of the world [rad], velocity and angular velocity of the head, and
-        position, velocity and angular velocity of the ball.
+        A :class:`Wrench` whose values have one more axis, the last: the 21 coordinates of motion, then the internal
+        states. The coordinates are position, small rotation about the world axes [rad], velocity and angular velocity
+        of the head, and position, velocity and angular velocity of the ball.
     rate_derivatives
-        Shape (internal states, 21 + internal states).
+        Derivatives of the rates, shape (internal states, 21 + internal states).
     """
 
     wrench: Wrench
@@ -136,40 +135,40 @@ class WrenchDerivatives(NamedTuple):
 
 
 class SteppedContact:
-    """A contact that the integrator of another program steps through: state of head and ball in, forces out.
+    """A contact for the integrator of another program: state of head and ball in, forces out.
 
-    The law of a contact has states besides the motion of the bodies: twist and spin of the core of a layered ball, the
-    distance slid, a face that gives. They are the caller's to integrate with the bodies: ``initial`` are their values
-    at first touch, and :meth:`evaluate` returns their rates. The rings of the model ``rings`` also remember the last
-    step; call :meth:`commit` after every step that is accepted. :func:`clubface.impact` is this contact with an
+    A contact law has internal states besides the motion of the bodies: twist and spin of the core of a layered ball,
+    sliding distance, displacement of a flexible face. The caller integrates them with the bodies: ``initial`` holds
+    their values at first touch, and :meth:`evaluate` returns their rates. The rings of the model ``rings`` also depend
+    on the last step; call :meth:`commit` after every accepted step. :func:`clubface.impact` is this contact with an
     integrator of its own.
 
     Parameters
     ----------
     head
-        Pose and motion of the head at first touch: a :class:`clubface.simulation.pose.Pose`, as of
-        :meth:`clubface.Delivery.pose`, or (rotation, position, velocity, angular velocity), the rotation as a matrix or
-        a quaternion, real part first, all of the CG.
+        Pose and motion of the head at first touch: a :class:`clubface.simulation.pose.Pose` from
+        :meth:`clubface.Delivery.pose`, or (rotation, position, velocity, angular velocity) with the rotation as a
+        matrix or a quaternion, real part first. Position and velocity are those of the CG.
     ball_motion
         A :class:`BallMotion`.
     club, ball, model, parameters, hand
-        As for :func:`clubface.impact`; the model must be one that follows the contact in time.
+        As for :func:`clubface.impact`; the model must follow the contact in time.
 
     Attributes
     ----------
     names
-        Of the internal states. States with an axis are in those of the face: x along its normal at the centre, y up, z
+        Names of the internal states. Components refer to face axes: x along the normal at the face centre, y up, z
         towards the toe.
     initial
-        The internal states at first touch [SI], shape (internal states,).
+        Internal states at first touch [SI], shape (internal states,).
 
     Raises
     ------
     InputError
-        A vector or a rotation of another shape, or no number.
+        A vector or a rotation has the wrong shape, or a value is not a number.
     ShotError
-        A model without a contact, a club, ball or parameter that cannot be, a matrix that is no rotation, numbers that
-        are not finite, or a face that moves away from the ball.
+        The model has no contact law, a value of club, ball or parameters is out of range, a matrix is not a rotation, a
+        number is not finite, or the face moves away from the ball.
     """
 
     def __init__(
@@ -193,15 +192,15 @@ class SteppedContact:
         return _call(computation, self._error, head_values(head), ball_values(ball_motion), states)
 
     def evaluate(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> tuple[Wrench, Floats]:
-        """Return what acts now, and the rates of the internal states [SI], shape (internal states,).
+        """Return the wrench, and the rates of the internal states [SI], shape (internal states,).
 
-        A function of the arguments alone: head, ball and states as at the beginning, at any other instant.
+        The result depends on the arguments only, which have the same form as at first touch.
         """
         wrench, rates = self._call(self._held.evaluate, head, ball_motion, internal)
         return Wrench.from_values(wrench), rates
 
     def jacobian(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> WrenchDerivatives:
-        """Return what acts and the rates of the internal states with their exact derivatives."""
+        """Return the wrench and the rates of the internal states with their exact derivatives."""
         rows = self._call(self._held.jacobian, head, ball_motion, internal)
         wrench, rates = rows[:15], rows[15:]
         return WrenchDerivatives(
@@ -209,26 +208,26 @@ class SteppedContact:
         )
 
     def commit(self, head: PoseLike, ball_motion: BallMotionLike, internal: ArrayLike) -> Floats:
-        """Return the internal states with what the law remembers brought up to date: a step ends here."""
+        """Accept a step: update the memory of the contact law and return the internal states."""
         return self._call(self._held.commit, head, ball_motion, internal)
 
 
 class StruckBall:
-    """A ball that is moved from rest through the contact into flight while another program moves the head.
+    """A ball moved from rest through the contact into flight while another program moves the head.
 
-    For programs with steps of their own. Within a step the head goes on as it came and gives way to the ball by its own
-    inertia, and by that of its mechanism if the club has one (:meth:`clubface.Club.on_mechanism`,
-    :meth:`clubface.Club.on_shaft`). What the program applies to its head over the step is the mean force and torque, so
-    that momentum is kept, and a step may be as long as what else acts on the head allows.
+    For programs with time steps of their own. Within a step the head moves on with its velocities and reacts to the
+    ball with its own inertia, and with that of its mechanism if the club has one (:meth:`clubface.Club.on_mechanism`,
+    :meth:`clubface.Club.on_shaft`). The program applies the mean force and torque to its head over the step, so that
+    momentum is conserved and the step length is limited only by the other loads on the head.
 
     Parameters
     ----------
     club, ball, model, parameters, hand
         As for :class:`SteppedContact`.
     position, velocity, angular_velocity
-        Of the ball [m, m/s, rad/s], shape (3,).
+        Initial position and motion of the ball [m, m/s, rad/s], shape (3,).
     head_gives_way
-        False for a head that moves as prescribed whatever the ball does.
+        False for a head with prescribed motion, which does not react to the ball.
 
     Attributes
     ----------
@@ -237,13 +236,12 @@ class StruckBall:
     phase
         "waiting" before the contact, "contact", or "launched".
     launch
-        The outputs of the impact by name [SI], as of :class:`clubface.Launch`, or None before the ball has left the
-        face.
+        Outputs of the impact by name [SI], as for :class:`clubface.Launch`, or None until the ball has left the face.
 
     Raises
     ------
     InputError, ShotError
-        As of :class:`SteppedContact`.
+        As for :class:`SteppedContact`.
     """
 
     def __init__(
@@ -264,25 +262,25 @@ class StruckBall:
         self._held = _call(core.BallHandle, self._error, *given, start, bool(head_gives_way))
 
     def advance(self, head: PoseLike, duration: float | str) -> StepLoads:
-        """Move the ball on by a duration [s], at most 0.1 s, while the head moves on from where it is now."""
+        """Advance the ball by a duration [s], at most 0.1 s, with the head starting from the given state."""
         step = float(units.parse(duration, "time", name="duration"))
         v = _call(self._held.advance, self._error, head_values(head), step)
         return StepLoads(v[0:3], v[3:6], float(v[6]), float(v[7]))
 
     @property
     def motion(self) -> BallMotion:
-        """Where the ball is and how it moves."""
+        """Position and motion of the ball."""
         v = self._held.motion
         return BallMotion(v[0:3], v[3:6], v[6:9])
 
     @property
     def phase(self) -> Literal["waiting", "contact", "launched"]:
-        """What happens to the ball."""
+        """Phase of the ball: before, in or after the contact."""
         return PHASES[self._held.phase]
 
     @property
     def launch(self) -> dict[str, float] | None:
-        """The outputs of the impact, once the ball has left the face."""
+        """The outputs of the impact [SI], or None until the ball has left the face."""
         values = self._held.launch
         return None if values is None else dict(zip(outputs(), values, strict=True))
 
@@ -290,13 +288,13 @@ class StruckBall:
 def _prepared(
     model: str, club: Any, ball: Any, parameters: Any, hand: Any
 ) -> tuple[tuple[str, list[float], list[float]], Callable[[ValueError], Exception]]:
-    """Return model, inputs and parameters as the core takes them, and what turns its errors into ours."""
+    """Return model, inputs and parameters for the core, and the function that translates its errors."""
     shot = prepare(model, club, {"speed": SPEED}, ball, parameters, hand, single="a contact that is stepped")
     return (model, shot.shots.columns, shot.parameters), shot.error
 
 
 def _call(computation: Callable[..., Any], translated: Callable[[ValueError], Exception], *given: Any) -> Any:
-    """Call the core, with its errors translated."""
+    """Call the core and translate its errors."""
     try:
         return computation(*given)
     except ValueError as error:
@@ -304,7 +302,7 @@ def _call(computation: Callable[..., Any], translated: Callable[[ValueError], Ex
 
 
 def head_values(head: PoseLike) -> list[float]:
-    """Return the 18 numbers by which the core knows a head: rotation row by row, place, velocity, angular velocity."""
+    """Return the 18 numbers of a head for the core: rotation row by row, position, velocity, angular velocity."""
     rotation, position, velocity, angular_velocity = head
     turn = _array(rotation, "rotation", units.DIMENSIONLESS)
     if turn.shape == (4,):
@@ -317,7 +315,7 @@ def head_values(head: PoseLike) -> list[float]:
 
 
 def ball_values(motion: BallMotion | Any) -> list[float]:
-    """Return the 9 numbers by which the core knows a ball."""
+    """Return the 9 numbers of a ball for the core: position, velocity, angular velocity."""
     return _body(*BallMotion(*motion))
 
 

@@ -1,7 +1,8 @@
-"""A law of contact of your own, written in Python or compiled, and used wherever a model is named.
+"""User-defined contact laws, written in Python or compiled, which can be used wherever a model is named.
 
-Clubhead and ball are two rigid bodies that move under the law. Launches and their derivatives are integrated by the
-core. Histories are integrated by SciPy and other equations (:mod:`clubface.simulation.two_bodies`), which checks both.
+Clubhead and ball are two rigid bodies that move under the law. The core integrates launches and their derivatives.
+SciPy integrates histories with differently written equations (:mod:`clubface.simulation.two_bodies`), so that each
+checks the other.
 """
 
 from __future__ import annotations
@@ -42,17 +43,17 @@ from clubface.simulation.two_bodies import (
 from clubface.support.checks import check_text
 
 USUAL_TOLERANCE = 1e-7
-"""Of a step, where no accuracy is given: the launch is then correct to 1e-5, its peak force to 3e-5."""
+"""Default relative tolerance per step: the launch is then correct to 1e-5, its peak force to 3e-5."""
 MOST_STATES = 24
-"""States that a law may have."""
+"""Maximum number of states of a law."""
 DIRECTIONS = 8
-"""Derivatives that a law is asked for at a time."""
+"""Number of derivatives computed per call of a law."""
 CHECKED_BY = "standard"
-"""The model whose checks of deliveries, clubs and balls are used; they are the same for all."""
+"""Model whose checks of deliveries, clubs and balls are used; they are the same for all models."""
 
 
 def function_address(function: Any) -> int:
-    """Return where a compiled function is, of ctypes or with an ``address`` as a cfunc of Numba; 0 for any other."""
+    """Return the address of a ctypes function or of one with an ``address``, such as a Numba cfunc; else 0."""
     address = getattr(function, "address", None)
     if isinstance(address, int):
         return address
@@ -62,9 +63,9 @@ def function_address(function: Any) -> int:
 
 
 class Dual(NDArrayOperatorsMixin):
-    """A number with derivatives, for arithmetic, comparisons and functions of NumPy.
+    """A dual number: a value with derivatives, for arithmetic, comparisons and NumPy functions.
 
-    Comparisons look at the value alone. Functions of ``math`` take no such numbers, and raise a TypeError.
+    Comparisons use the value alone. Functions of ``math`` raise a TypeError.
     """
 
     __slots__ = ("tangent", "value")
@@ -79,7 +80,7 @@ class Dual(NDArrayOperatorsMixin):
         return bool(self.value)
 
     def __array_ufunc__(self, ufunc: Any, method: str, *given: Any, **options: Any) -> Any:
-        target = options.pop("out", ())  # of += and the like, which make a new number of a name
+        target = options.pop("out", ())  # of += and the like, which bind a new number
         if method != "__call__" or options or not all(isinstance(each, Dual) for each in target):
             return NotImplemented
         if ufunc in _COMPARISONS:
@@ -88,7 +89,7 @@ class Dual(NDArrayOperatorsMixin):
 
 
 def dual_of(number: Any, directions: int) -> Dual:
-    """Return a number with derivatives; those of a plain one are zero."""
+    """Convert a number to a dual number; the derivatives of a plain number are zero."""
     number = number.item() if isinstance(number, np.ndarray) else number
     return number if isinstance(number, Dual) else Dual(float(number), np.zeros(directions))
 
@@ -98,7 +99,7 @@ def _value(number: Any) -> Any:
 
 
 def _call(ufunc: Any, *given: Any) -> Any:
-    """Return the function of numbers at least one of which has derivatives."""
+    """Evaluate a function of numbers, at least one of them dual."""
     if ufunc not in _SLOPES:
         return NotImplemented
     numbers = [float(_value(each)) for each in given]
@@ -158,7 +159,7 @@ _SLOPES: dict[Any, _Slopes] = {
     np.cosh: lambda f, a: (np.sinh(a),),
     np.tanh: lambda f, a: (1.0 - f * f,),
 }
-"""Of each function of NumPy its slopes by its arguments, given its value and the arguments."""
+"""Partial derivatives of each NumPy function, given its value and its arguments."""
 _COMPARISONS = {
     np.less, np.less_equal, np.greater, np.greater_equal, np.equal, np.not_equal, np.isfinite, np.isnan, np.signbit,
 }  # fmt: skip
@@ -175,47 +176,46 @@ def register_law(
     summary: str = "A law of contact of one's own.",
     reference: str = "",
 ) -> Model:
-    """Make a law of contact, written in Python, a model that :func:`impact` and :func:`history` know by ``name``.
+    """Register a user-defined contact law as a model that :func:`impact` and :func:`history` know by ``name``.
 
-    Clubhead and ball are two rigid bodies; the law says what forces act between them. It describes ball and face
-    together, so that the characteristic time of the club is not used. It is known in this process alone, and
-    registering a name again replaces its law.
+    Clubhead and ball are two rigid bodies; the law gives the forces between them. It describes ball and face together,
+    so the characteristic time of the club is not used. The law is known in this process only; registering a name again
+    replaces its law.
 
     Parameters
     ----------
     name
-        A word that no other model has.
+        Name of the model: a word that no built-in model uses.
     law
         Called as ``law(touch, values)`` with a :class:`Touch` and the values of the parameters by name [SI]; returns
         the normal force on the ball, and the friction on the ball up the face and towards the toe [N]. A negative
         normal force counts as zero. With ``states`` it is called as ``law(touch, values, states)``, with their values
-        by name, and returns their rates by name as well. For :func:`sensitivity` it is called with numbers that carry
-        derivatives: use functions of NumPy, not of ``math``.
-
-        A compiled law is a function of C, ``void law(const double *touch, const double *values, const double *states,
-        double *result)``: a function of ctypes, or whatever has its ``address``, as a ``cfunc`` of Numba. ``touch`` has
-        the numbers of a :class:`Touch` in order, ``result`` takes the three forces and the rates of the states.
+        by name, and returns their rates by name as well. For :func:`sensitivity` it is called with dual numbers: use
+        functions of NumPy, not of ``math``. A compiled law is a C function, ``void law(const double *touch, const
+        double *values, const double *states, double *result)``, given as a ctypes function or an object with its
+        ``address``, such as a Numba ``cfunc``. ``touch`` holds the numbers of a :class:`Touch` in order; ``result``
+        receives the three forces and the rates of the states.
     parameters
-        Default of each parameter by its name: text with a unit, an SI number, or a :class:`Parameter` with meaning,
-        bounds and source.
+        Default of each parameter by name: text with a unit, an SI number, or a :class:`Parameter` with meaning, bounds
+        and source.
     states
-        Variables of the law that change during contact, at most 24, such as the stretch of a spring along the face.
-        They begin at zero. Given by name with their natural size, text with a unit or an SI number, by which errors are
-        measured.
+        State variables of the law, at most 24, such as the stretch of a spring along the face; they start at zero.
+        Given by name with their typical size, text with a unit or an SI number, which scales the error tolerance.
     complex_law
-        Of a compiled law the same function of complex numbers, each a pair of double: derivatives are computed by it.
+        For a compiled law, the same function of complex numbers, each a pair of doubles, from which derivatives are
+        computed.
     title, summary, reference
-        As of a :class:`Model`.
+        As for :class:`Model`.
 
     Returns
     -------
     Model
-        Its description.
+        The registered model.
 
     Raises
     ------
     InputError
-        The name is that of a model of the package or of none, the law cannot be called, or a default or a size is no
+        The name is not a word or is that of a built-in model, the law is not callable, or a default or a size is not a
         number.
     """
     if not (isinstance(name, str) and name.isidentifier()):
@@ -245,9 +245,9 @@ def register_law(
 
 
 def source_of(model: str) -> list[str]:
-    """Return what identifies a law registered under a name: the file it stands in, else its code; [] for other models.
+    """Return the text that identifies a registered law: its source file, else its code; [] for other models.
 
-    A store of unfinished work must not mix the results of a law with those of what it was before it was edited.
+    A store of unfinished work must not mix results from before and after the law was edited.
     """
     if model not in OWN:
         return []
@@ -270,7 +270,7 @@ def _parameter(name: str, given: Any) -> Parameter:
 
 
 class OwnLaw:
-    """A shot at a time, each by the core."""
+    """The backend of a user-defined law: the core computes one shot at a time."""
 
     def __init__(
         self, model: Model, law: Any, sizes: Mapping[str, float], address: int = 0, complex_address: int = 0
@@ -291,7 +291,7 @@ class OwnLaw:
         return Balls(None, given)
 
     def _call(self, touch: Any, values: Any, states: Any) -> tuple[float, ...]:
-        """Call the law with plain numbers; return forces and rates of the states."""
+        """Call the law with plain numbers; return the forces and the rates of the states."""
         if not all(map(math.isfinite, touch)):
             return (math.nan,) * (3 + len(states))
         return evaluate_law(
@@ -299,7 +299,7 @@ class OwnLaw:
         )
 
     def _call_with_derivatives(self, touch: Any, values: Any, states: Any) -> list[float]:
-        """Call the law with numbers that carry derivatives, each of them its value and then its derivatives."""
+        """Call the law with dual numbers, each given as its value followed by its derivatives."""
         touch, values, states = (
             [Dual(row[0], row[1:]) for row in np.array(each).reshape(-1, 1 + DIRECTIONS)]
             for each in (touch, values, states)
@@ -326,7 +326,7 @@ class OwnLaw:
         return {each.name: value for each, value in zip(self.model.parameters, values, strict=True)}
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
-        """Follow one contact after the other; what every model refuses is refused, and a contact without an end."""
+        """Compute one contact after the other; report invalid inputs and contacts that do not end as problems."""
         return self._rows(
             shots, len(outputs()), lambda given, values, tolerance: self._held.impact(given, values, tolerance)
         )
@@ -334,7 +334,7 @@ class OwnLaw:
     def sensitivities(
         self, shots: Request, chosen: Sequence[int], variables: Sequence[int]
     ) -> tuple[NDArray[Any], Problems]:
-        """Return for each chosen output its value and its derivatives by variables, as the core does for its models."""
+        """Return value and derivatives of each chosen output, as the core does for its own models."""
         if not self.has_derivatives:
             raise InputError("model", self.model.name, "one with derivatives: register the law with a complex_law")
 
@@ -350,7 +350,7 @@ class OwnLaw:
     def _rows(
         self, shots: Request, size: int, compute: Callable[[list[float], list[float], float], tuple[Any, str]]
     ) -> tuple[NDArray[Any], Problems]:
-        """Return ``size`` numbers a shot, NaN for those without, and why they have none."""
+        """Return ``size`` numbers per shot, NaN for shots without a result, and the reasons."""
         usual = [each.default for each in models()[CHECKED_BY].parameters]
         _, problems = core.impact(CHECKED_BY, shots.inputs, usual, shots.size, None, shots.threads, None)
         refused = {row for row, *_ in problems}
@@ -378,11 +378,11 @@ class OwnLaw:
         return result, sorted(problems)
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> None:
-        """Return None: :func:`clubface.history` returns more."""
+        """Return None; use :func:`clubface.history`."""
         return None
 
     def history(self, model: str, given: list[float], parameters: list[float], accuracy: float | None) -> Any:
-        """Follow one contact and keep it at evenly spaced times."""
+        """Compute the time history of one contact at evenly spaced times."""
         usual = [each.default for each in models()[CHECKED_BY].parameters]
         _, problems = core.impact(CHECKED_BY, given, usual, 1, None, 1, None)
         fault = problems[0][1:] if problems else _fault(given)
@@ -396,12 +396,12 @@ class OwnLaw:
         return {**sample_history(bodies, solution), "launch": launch_outputs(bodies, solution)}
 
     def notes(self) -> tuple[()]:
-        """Return no note."""
+        """Return no notes."""
         return ()
 
 
 def _fault(given: Sequence[float]) -> tuple[str, str] | None:
-    """Return the input that a law of one's own does not take, and what to do."""
+    """Return an input that a user-defined law does not support and what to do, or None."""
     named = dict(zip(inputs(), given, strict=True))
     if named["characteristic_time"] != named["included_time"]:
         return "characteristic_time", "leave it out: a law of one's own describes ball and face together"
@@ -409,7 +409,7 @@ def _fault(given: Sequence[float]) -> tuple[str, str] | None:
 
 
 def _called_by_pointer(address: int, names: Sequence[str], states: Sequence[str]) -> Law:
-    """Return a compiled law as a function of Python."""
+    """Wrap a compiled law as a Python function."""
     pointer = ctypes.POINTER(ctypes.c_double)
     function = ctypes.CFUNCTYPE(None, pointer, pointer, pointer, pointer)(address)
 

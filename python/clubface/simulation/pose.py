@@ -1,14 +1,13 @@
-"""From the pose and the motion of a clubhead to the values of its delivery, and back, in closed form.
+"""Conversion of the pose and motion of a clubhead to the values of a delivery, and back, in closed form.
 
-A program that moves bodies knows a head by the rotation of its frame, the place of a point of it, a velocity and an
-angular velocity. A delivery is the same in the terms of golf. Both ways are written for the components, with four
-functions of an array library (``sin``, ``cos``, ``sqrt``, ``arctan``) and ``stack``: NumPy, JAX and PyTorch all have
-them, complex numbers go through (for derivatives by a complex step), and everything broadcasts.
+A multibody program describes a head by a rotation, the position of one of its points, a velocity and an angular
+velocity. A delivery is the same in golf terms. Both conversions are written in components, with four functions of an
+array library (``sin``, ``cos``, ``sqrt``, ``arctan``) and ``stack``, which NumPy, JAX and PyTorch all have; they accept
+complex numbers (for complex-step derivatives) and broadcast.
 
-The axes of the head coincide with those of the world while the club stands at its static loft with a square face: x to
-the target, y up, z to the right. The mass properties of a club are given in them. A left-handed head is the mirror
-image in z of the right-handed one of the same numbers; everything here is mirrored, computed for a right-hander and
-mirrored back.
+Head axes coincide with world axes while the club stands at its static loft with a square face: x to the target, y up, z
+to the right. The mass properties of a club are given in head axes. A left-handed head is the mirror image in z of the
+right-handed head with the same numbers; it is mirrored, computed as right-handed and mirrored back.
 """
 
 from __future__ import annotations
@@ -21,34 +20,34 @@ Matrix = tuple[Vector, Vector, Vector]
 """Three rows."""
 
 ROUNDS = 6
-"""Newton's rounds to first touch: the gap is almost linear in time, and a millisecond away four reach rounding."""
+"""Newton iterations to first touch: the gap is almost linear in time, and from a millisecond away four suffice."""
 
 
 class Head(NamedTuple):
-    """What of club and ball decides where they touch."""
+    """Geometry of club and ball that determines first touch."""
 
     cg_to_face: Vector  # in the axes of the right-handed head [m]
     static_loft: Any  # [rad]
-    bulge: Any  # radii of the face [m], infinite where it is flat
+    bulge: Any  # radius of the face [m], infinite if it is flat
     roll: Any
     ball_radius: Any  # [m]
     hand: Any  # 1 for a right-handed head, -1 for a left-handed one
 
 
 class Pose(NamedTuple):
-    """Where a head is and how it moves, in the axes of the world: x to the target, y up, z to the right of it.
+    """Pose and motion of a head in world axes: x to the target, y up, z to the right of the target line.
 
     Attributes
     ----------
     rotation
-        From the axes of the head to those of the world, shape (..., 3, 3): the identity while the club stands at its
-        static loft with a square face.
+        Rotation from head axes to world axes, shape (..., 3, 3); the identity while the club stands at its static loft
+        with a square face.
     position
-        Of a point of the head [m], shape (..., 3).
+        Position of a point of the head [m], shape (..., 3).
     velocity
-        Of the same point [m/s], shape (..., 3).
+        Velocity of the same point [m/s], shape (..., 3).
     angular_velocity
-        Of the head [rad/s], shape (..., 3).
+        Angular velocity of the head [rad/s], shape (..., 3).
     """
 
     rotation: Any
@@ -58,14 +57,14 @@ class Pose(NamedTuple):
 
 
 class Touch(NamedTuple):
-    """A delivery by the name of its values [SI], and when the head touches the ball, since the time of the pose [s]."""
+    """Values of a delivery by name [SI], and the time of first touch, relative to the pose [s]."""
 
     values: dict[str, Any]
     time: Any
 
 
 def repeated(step: Callable[[Any], Any], count: int) -> Any:
-    """Return what ``count`` steps make of 0."""
+    """Apply a step ``count`` times, starting from 0."""
     result = 0.0
     for _ in range(count):
         result = step(result)
@@ -80,11 +79,11 @@ def delivery_of_pose(
     point: Any,
     repeat: Callable[[Callable[[Any], Any], int], Any] = repeated,
 ) -> Touch:
-    """Return the delivery of a head, which moves on with constant velocities until it touches the ball.
+    """Return the delivery of a head that moves on with constant velocities to first touch.
 
-    ``xp`` is the array library; ``repeat`` does what :func:`repeated` does for one that compiles loops. The pose may
-    have a quaternion, shape (..., 4), real part first, of any length. ``ball_position`` is the centre of the ball at
-    rest [m], and ``point`` what the pose is of, from the CG of the head in its own axes [m].
+    ``xp`` is the array library; ``repeat`` replaces :func:`repeated` for a library that compiles loops. The rotation of
+    the pose may be a quaternion of any length, shape (..., 4), real part first. ``ball_position`` is the centre of the
+    ball at rest [m]; ``point`` is the point of the head to which the pose refers, from the CG in head axes [m].
     """
     hand = head.hand
     turn = _mirror_matrix(rotation_rows(pose.rotation), hand)
@@ -127,7 +126,7 @@ def delivery_of_pose(
 
 
 def pose_of_delivery(xp: Any, values: dict[str, Any], ball_position: Any, head: Head, point: Any) -> Pose:
-    """Return where the head of a delivery is at first touch and how it moves; the parameters are as the other way."""
+    """Return pose and motion of the head at first touch; the inverse of :func:`delivery_of_pose`."""
     hand = head.hand
     turn = attitude(xp, values["loft"], hand * values["face"], values["lie"], head.static_loft)
     speed, attack, path = values["speed"], values["attack"], hand * values["path"]
@@ -144,7 +143,7 @@ def pose_of_delivery(xp: Any, values: dict[str, Any], ball_position: Any, head: 
 
 
 def attitude(xp: Any, loft: Any, face: Any, lie: Any, static_loft: Any) -> Matrix:
-    """Return the rotation of a right-handed head from its own axes to those of the world, as the core builds it.
+    """Return the rotation from head axes to world axes of a right-handed head, built as in the core.
 
     Tilt by the lie, yaw the normal of the face back to azimuth 0, turn about z until its elevation is the dynamic loft,
     yaw right by the face angle.
@@ -165,7 +164,7 @@ def _about_y(sine: Any, cosine: Any) -> Matrix:
 
 
 def _rotation_by(spin: Vector, time: Any) -> Matrix:
-    """Return the rotation exp(time spin x); the series reach rounding for angles below a radian, and have no root."""
+    """Return the rotation exp(time [spin]x) by series, exact to rounding for angles below a radian; no square root."""
     square = time * time * _dot(spin, spin)
     first = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)))
     second = 0.5 - square / 24.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0 * (1.0 - square / 90.0)))
@@ -179,7 +178,7 @@ def _rotation_by(spin: Vector, time: Any) -> Matrix:
 
 
 def circle(xp: Any, x: Any, y: Any, curvature: Any) -> Vector:
-    """Return the distance of (x, y) from a circle through the origin, and the unit normal there; 0 is a line."""
+    """Return the distance of (x, y) from a circle through the origin, and the unit normal; curvature 0 is a line."""
     radial = curvature * x + 1.0
     root = xp.sqrt(radial * radial + curvature * y * (curvature * y))
     distance = (2.0 * x + curvature * (x * x + y * y)) / (root + 1.0)
@@ -187,14 +186,14 @@ def circle(xp: Any, x: Any, y: Any, curvature: Any) -> Vector:
 
 
 def _nearest(xp: Any, ball: Vector, head: Head) -> tuple[Any, Vector]:
-    """Return the distance of a point from the face, and the outward normal at the face point nearest to it."""
+    """Return the distance of a point from the face, and the outward normal at the nearest face point."""
     x, along, across = circle(xp, ball[0], ball[2], 1.0 / head.bulge)
     distance, ahead, up = circle(xp, x, ball[1], 1.0 / head.roll)
     return distance, (ahead * along, up, ahead * across)
 
 
 def _face_point(xp: Any, toe: Any, high: Any, head: Head) -> Vector:
-    """Return the face point with these offsets, in the axes of the face."""
+    """Return the face point at the given offsets, in face axes."""
     bulge, roll = 1.0 / head.bulge, 1.0 / head.roll
     x = -(roll * high * high) / (xp.sqrt(1.0 - roll * high * (roll * high)) + 1.0)
     radial = bulge * x + 1.0
@@ -203,7 +202,7 @@ def _face_point(xp: Any, toe: Any, high: Any, head: Head) -> Vector:
 
 
 def _ball_in_face(xp: Any, turn: Matrix, away: Vector, head: Head) -> Vector:
-    """Return the centre of the ball in the axes of the face, from the face centre; ``away`` is from the CG."""
+    """Return the centre of the ball from the face centre, in face axes; ``away`` is its vector from the CG."""
     return _to_face(xp, _minus(_apply_transposed(turn, away), head.cg_to_face), head)
 
 
@@ -218,7 +217,7 @@ def _from_face(xp: Any, v: Vector, head: Head) -> Vector:
 
 
 def rotation_rows(rotation: Any) -> Matrix:
-    """Return the rows of a rotation that is given as a matrix or as a quaternion."""
+    """Return the rows of the rotation matrix of a matrix or a quaternion."""
     if rotation.shape[-1] == 3:
         return tuple(_components(rotation[..., row, :]) for row in range(3))  # pyright: ignore[reportReturnType]
     w, x, y, z = (rotation[..., place] for place in range(4))

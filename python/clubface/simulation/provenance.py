@@ -1,4 +1,4 @@
-"""What launches and flights were computed from, for the provenance of a result."""
+"""Provenance of launches and flights: equipment, delivery, model, air, wind and ground, in words."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from clubface.units import from_si, show, show_range
 def provenance_of(
     launches: Iterable[Launch], inputs: Mapping[str, str] | None = None, sources: Iterable[str] = ()
 ) -> Provenance:
-    """Return what ``launches``, whose deliveries, equipment and models count, were computed from.
+    """Return the provenance of ``launches``: their deliveries, equipment and models.
 
-    ``inputs`` are what else went in, in words, by name ("air", "golfer"), ``sources`` those of all but the launches.
+    ``inputs`` are further inputs in words, by name ("air", "golfer"); ``sources`` are sources other than the launches'.
     """
     every = list(launches)
     computations = (
@@ -44,7 +44,7 @@ def provenance_of(
 def flight_conditions(
     air: AirLike | None = None, wind: WindLike | None = None, ground: GroundLike | None = None
 ) -> dict[str, str]:
-    """Return air, wind and ground of a flight in words, those not given among them; single values as for ``fly``."""
+    """Return air, wind and ground of a flight in words, defaults included; single values as for ``fly``."""
     values = {name: each.default for name, each in flight_inputs().items()} | conditions(air, wind, ground)
     altitude = air_of(air).altitude
     state = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
@@ -60,13 +60,13 @@ def flight_conditions(
 
 
 def flight_input_words(columns: Mapping[str, ArrayLike]) -> Iterator[tuple[str, str]]:
-    """Yield inputs of flights [SI] in words, the range of those that differ; those that are 0 are left out."""
+    """Yield inputs of flights [SI] in words: values or ranges, without those that are 0."""
     for name, values in columns.items():
         yield from _words_of(name, display_unit(name, flight_inputs()[name].unit), [values])
 
 
 def equipment_sources(*equipment: Club | Ball) -> Iterator[str]:
-    """Yield where the values of clubs and balls come from, those of one source together."""
+    """Yield the sources of the values of clubs and balls, grouped by source."""
     for each in equipment:
         by_source: dict[str, list[str]] = {}
         for name, source in each.sources.items():
@@ -87,13 +87,13 @@ def _wind(values: Mapping[str, Any]) -> str:
 
 
 def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
-    """Yield the values of deliveries that all launches share, and the range of those that differ."""
+    """Yield the values of the deliveries: those that all launches share, and the ranges of the others."""
     for name in launches[0].delivery if launches else ():
         yield from _words_of(name, quantity(name).reading.unit, [each.input(name) for each in launches])
 
 
 def _words_of(name: str, unit: str, given: Iterable[ArrayLike]) -> Iterator[tuple[str, str]]:
-    """Yield a name and its value or range in words; nothing if there is no value but 0."""
+    """Yield a name and its value or range in words; nothing if all values are 0."""
     values = np.concatenate([np.ravel(each) for each in given])
     values = values[np.isfinite(values)]
     if values.any():
@@ -114,7 +114,7 @@ def _sources(launches: Sequence[Launch]) -> Iterator[str]:
 
 def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
     for each in launches:
-        # A club that keeps a mesh has it as its head; reduced models know the rigid club alone.
+        # The head of a club with a mesh is that mesh; reduced models use the rigid club only.
         if hasattr(each.club, "head") and not each.club.characteristic_time and each.model not in MODULES:
             yield (
                 f"The face of {each.club.name} is taken as rigid by the model {each.model}: finite elements alone"

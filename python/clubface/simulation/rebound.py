@@ -1,7 +1,7 @@
-"""How a ball leaves a plate and a free head by a model: restitution along the normal and the face, lever of friction.
+"""Rebound of a ball from a plate and a free head by a model: normal and tangential restitution, friction lever.
 
-These three quantities determine a launch (Roh and Lee; Cross), whatever the equations of a model are. The heads are
-struck through their CG and cannot turn, so that the figures do not depend on a club.
+These three quantities determine a launch (Roh and Lee; Cross), whatever the equations of the model. The heads are
+struck through their CG and cannot turn, so that the numbers do not depend on a club.
 """
 
 from __future__ import annotations
@@ -22,28 +22,29 @@ __all__ = ["Rebound", "model_in_full", "rebound", "rebound_tables"]
 
 
 SPEED = 40.0
-"""Speed of the heads for which angles are compared [m/s]."""
+"""Head speed for the table over the angle of incidence [m/s]."""
 SPEEDS = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)
-"""Speeds of the heads over which the normal restitution is shown [m/s]."""
+"""Head speeds for the table of the normal restitution [m/s]."""
 ANGLES = tuple(math.radians(angle) for angle in (10, 20, 30, 40, 50, 60, 70))
-"""Angles between the path of the ball, as the face sees it, and the face normal [rad]."""
+"""Angles of incidence, between the relative velocity of the ball and the face normal [rad]."""
 MASSES = {"plate": 5.0, "head of 200 g": 0.2}
 """Mass by kind of head [kg]: a plate, as heavy as the heads to which `response` was fitted, and a driver."""
 RIGID = 1e3
-"""Inertia of a head that cannot turn [kg m2]."""
+"""Moment of inertia that keeps a head from turning [kg m2]."""
 
 
 class Rebound(NamedTuple):
-    """Three dimensionless figures of how a ball leaves a head that cannot turn.
+    """Three dimensionless numbers for the rebound of a ball from a head that cannot turn.
 
     Attributes
     ----------
     restitution
-        Normal speed at which ball and head part over that at which they met.
+        Relative normal speed after impact over that before impact.
     tangential_restitution
-        Minus the velocity of the ball's surface along the face after impact over that before.
+        Minus the relative velocity of the ball's surface along the face after impact over that before impact.
     friction_lever
-        Angular momentum of the ball over mass, radius and change of its velocity along the face.
+        Angular momentum of the ball over the product of its mass, its radius and the change of its velocity along the
+        face.
     """
 
     restitution: float
@@ -52,16 +53,16 @@ class Rebound(NamedTuple):
 
 
 def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebound:
-    """Return how a ball at rest leaves a flat rigid face that meets it.
+    """Compute the rebound of a ball at rest from a flat rigid face that strikes it.
 
     Parameters
     ----------
     model
-        A model that computes launches in closed form or by contact laws, with its own parameters and ball.
+        A model in closed form or with a contact law, with its own parameters and ball.
     speed, incidence
-        Speed of the head [m/s], and the angle between its path and the face normal [rad].
+        Head speed [m/s], and angle between the path of the head and the face normal [rad].
     mass
-        Mass of the head [kg], which moves freely and cannot turn.
+        Mass of the head [kg], which moves freely but cannot turn.
     """
     with without_warnings():  # such a head is implausible
         head = Club(
@@ -72,7 +73,7 @@ def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebou
         launch = impact(head, speed=speed, loft=incidence, model=model)
     speed_after, up, spin = (float(value) for value in (launch.ball_speed, launch.launch, launch.backspin))
     ball = launch.ball
-    # Velocities relative to the head, which has lost the momentum that the ball gained.
+    # Velocities relative to the head, which has lost the momentum gained by the ball.
     share = 1.0 + ball.mass / mass
     along_normal = share * speed_after * math.cos(incidence - up) - speed * math.cos(incidence)
     before = speed * math.sin(incidence)
@@ -85,7 +86,7 @@ def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebou
 
 
 def rebound_tables(model: str) -> tuple[Table, Table]:
-    """Return a model's normal restitution over speed, and all three figures over the angle."""
+    """Return tables of a model's normal restitution over speed, and of all three numbers over the angle."""
     by_speed = [
         column("speed", SPEEDS, unit="m/s", digits=0, label="speed"),
         *(
@@ -115,7 +116,7 @@ def _key(name: str) -> str:
 
 
 def model_in_full(name: str) -> Result:
-    """Return a model with its parameters, and how a ball leaves a plate and a free head by it."""
+    """Return the description of a model: its parameters, and rebound from a plate and a free head."""
     result = model_result(name)
     if name not in models():
         return result

@@ -28,18 +28,18 @@ if TYPE_CHECKING:
 class Variable(NamedTuple):
     """One input or output of the core, in the order of its columns."""
 
-    name: str  # in keyword arguments and tables
+    name: str  # as in keyword arguments and tables
     unit: str  # the SI unit it is held in
-    meaning: str  # one line; says what positive means where there is a sign
-    group: str = ""  # of an input: "delivery", "club", "ball", "parameters", "launch", "air" or "ground"
+    meaning: str  # one line; states the positive direction of signed quantities
+    group: str = ""  # group of an input: "delivery", "club", "ball", "parameters", "launch", "air" or "ground"
     differentiable: bool = False  # whether a launch can be differentiated with respect to it
-    default: float = math.nan  # of an input of a flight; NaN if it must be given
+    default: float = math.nan  # default of a flight input; NaN if it is required
     lower: float = -math.inf
     upper: float = math.inf
 
     @property
     def dimension(self) -> str:
-        """The dimension, as in ``units``."""
+        """The dimension, as named in ``units``."""
         return units.unit(self.unit).dimension
 
 
@@ -80,7 +80,7 @@ def input_dimensions() -> Mapping[str, str]:
 
 
 def in_unit(value: Any, quantity: Variable, unit: str) -> Any:
-    """Express SI ``value`` of ``quantity`` in ``unit``, which must be of its dimension."""
+    """Convert the SI ``value`` of ``quantity`` to ``unit``, which must have the same dimension."""
     units.unit(unit, name=quantity.name, dimension=quantity.dimension)
     return units.from_si(value, unit)
 
@@ -95,7 +95,7 @@ class ShotProblem(NamedTuple):
 
     row: tuple[int, ...]  # its index in the batch
     parameter: str  # the input at fault
-    reason: str  # its value and what would have been accepted
+    reason: str  # its value and what is allowed
 
 
 class Varied(NamedTuple):
@@ -107,15 +107,15 @@ class Varied(NamedTuple):
 
 
 class Batch(Presentable):
-    """Named quantities over the shots of a batch, SI and radians; a single shot has numbers in place of arrays.
+    """Named quantities of a batch of shots in SI and radians: arrays, or numbers for a single shot.
 
-    Every quantity is an attribute. :meth:`get` gives it in another unit, :meth:`to_pandas` and :meth:`to_xarray`
-    make tables of all.
+    Every quantity is an attribute. :meth:`get` converts it to another unit; :meth:`to_pandas` and :meth:`to_xarray`
+    return tables of all quantities.
 
     Attributes
     ----------
     shape
-        The shape the inputs broadcast to; () for a single shot.
+        Shape to which the inputs broadcast; () for a single shot.
     """
 
     _kind: ClassVar[str] = "result"
@@ -137,22 +137,22 @@ class Batch(Presentable):
         raise NotImplementedError
 
     def _assumptions(self) -> tuple[Note, ...]:
-        """Return what was assumed where nothing was given."""
+        """Return notes on the assumptions made for inputs that were not given."""
         return ()
 
     @property
     def provenance(self) -> dict[str, Any]:
-        """The inputs, the models and the version that the result was computed with."""
+        """The inputs, models and version that the result was computed with."""
         raise NotImplementedError
 
     @property
     def varied(self) -> Mapping[str, Varied]:
-        """The inputs and parameters that were given as arrays, by name."""
+        """The inputs and parameters given as arrays, by name."""
         raise NotImplementedError
 
     @property
     def problems(self) -> tuple[ShotProblem, ...]:
-        """The shots without a result and why."""
+        """The shots without a result, with the reasons."""
         return tuple(ShotProblem(index_of(row, self.shape), name, reason) for row, name, reason in self._failures)
 
     @property
@@ -178,13 +178,13 @@ class Batch(Presentable):
         return True
 
     def get(self, name: str, unit: str | None = None) -> NumberOrArray:
-        """Return a quantity by name, in ``unit`` where one is given: ``get("backspin", "rpm")``."""
+        """Return a quantity by name in SI, or in ``unit``: ``get("backspin", "rpm")``."""
         check_choice("quantity", name, self.quantities())
         value = getattr(self, name)
         return value if unit is None else in_unit(value, self.quantities()[name], unit)
 
     def _varied_columns(self) -> dict[str, NDArray[Any]]:
-        """Return the inputs given as arrays, a value a shot, without those that are also a quantity of the result."""
+        """Return the inputs given as arrays, one value per shot, except quantities of the result."""
         return {
             name: np.broadcast_to(each.values, self.shape).reshape(-1)
             for name, each in self.varied.items()
@@ -192,7 +192,7 @@ class Batch(Presentable):
         }
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a shot: the inputs given as arrays, then every quantity, SI.
+        """Return a frame with one row per shot: the inputs given as arrays, then every quantity, SI.
 
         ``attrs`` of the frame holds ``units`` and ``provenance``.
         """
@@ -206,11 +206,10 @@ class Batch(Presentable):
         return frame
 
     def to_xarray(self, dims: tuple[str, ...] | None = None) -> xarray.Dataset:
-        """Return a dataset: a variable a quantity, the inputs given as arrays as coordinates, SI.
+        """Return a dataset with one variable per quantity and the inputs given as arrays as coordinates, SI.
 
-        Each variable carries ``units`` and ``long_name``, the dataset the provenance, as text that netCDF can
-        hold. A dimension along which one input alone varies takes the name of that input; ``dims`` names them
-        otherwise.
+        Each variable carries ``units`` and ``long_name``, the dataset the provenance, as text that netCDF can hold. A
+        dimension along which only one input varies is named after it; ``dims`` replaces these names.
         """
         import xarray
 
@@ -231,7 +230,7 @@ class Batch(Presentable):
         return xarray.Dataset(variables, coordinates, attrs=flattened(self.provenance))
 
     def to_result(self) -> Result:
-        """Return one row a shot: the inputs given as arrays, then every quantity."""
+        """Return a table with one row per shot: the inputs given as arrays, then every quantity."""
         from clubface.simulation.shot_result import batch_provenance
 
         varied = self.varied
@@ -263,14 +262,14 @@ class Batch(Presentable):
 
 
 class Series(Presentable):
-    """Arrays over the same times, SI: numbers, vectors and the like.
+    """Arrays over common times, SI: scalars, vectors and the like.
 
     Attributes
     ----------
     quantities
-        What it holds by name, with unit and meaning; ``time`` is the first.
+        The quantities by name, with unit and meaning; ``time`` is the first.
     provenance
-        What it was computed from and with.
+        The inputs, models and version that it was computed with.
     """
 
     quantities: Mapping[str, Variable]
@@ -287,11 +286,11 @@ class Series(Presentable):
         return {name: each.unit for name, each in self.quantities.items()}
 
     def _second(self, name: str) -> str:
-        """Return the dimension of an array besides time."""
+        """Return the name of the second dimension of an array, after time."""
         return "axis"
 
     def components(self) -> dict[str, tuple[Floats, str]]:
-        """Return values over time and SI unit of each quantity, those of a vector by component: ``ball_spin_x``."""
+        """Return values over time and SI unit of each quantity; vectors by component, such as ``ball_spin_x``."""
         components = {}
         for name, each in self.quantities.items():
             values, second = self._arrays[name], self._second(name)
@@ -304,7 +303,7 @@ class Series(Presentable):
         return components
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a time, SI; a vector becomes columns such as ``ball_spin_x``, rings ``ring_slip_0``."""
+        """Return one row per time, SI; vectors become columns such as ``ball_spin_x``, rings ``ring_slip_0``."""
         import pandas
 
         components = self.components()
@@ -328,18 +327,18 @@ class Series(Presentable):
 
 
 def attributes(unit: str, meaning: str) -> dict[str, str]:
-    """Return the attributes of a variable of a dataset."""
+    """Return the attributes of a dataset variable."""
     return {"units": unit, "long_name": meaning}
 
 
 def dims_of(values: NDArray[Any], dims: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the dimensions along which an array that broadcasts over ``dims`` varies."""
+    """Return those of ``dims`` along which an array that broadcasts over them varies."""
     own = dims[len(dims) - values.ndim :]
     return tuple(dim for dim, size in zip(own, values.shape, strict=True) if size != 1)
 
 
 def dimension_names(shape: tuple[int, ...], varied: Mapping[str, Varied]) -> tuple[str, ...]:
-    """Name the dimensions after the inputs that vary along them alone; "shot" or "dim_0", "dim_1" otherwise."""
+    """Name each dimension after the only input that varies along it; otherwise "shot" or "dim_0", "dim_1"."""
     plain = ("shot",) if len(shape) == 1 else tuple(f"dim_{axis}" for axis in range(len(shape)))
     names = list(plain)
     for axis, dim in enumerate(plain):
@@ -351,7 +350,7 @@ def dimension_names(shape: tuple[int, ...], varied: Mapping[str, Varied]) -> tup
 
 
 def flattened(provenance: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
-    """Write nested provenance as flat text, which every file format can hold."""
+    """Flatten nested provenance to text by name, which every file format can hold."""
     flat: dict[str, str] = {}
     for key, value in provenance.items():
         if isinstance(value, Mapping) and key != "values":
@@ -362,20 +361,20 @@ def flattened(provenance: Mapping[str, Any], prefix: str = "") -> dict[str, str]
 
 
 def index_of(row: int, shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the index in ``shape`` of the flat ``row``."""
+    """Return the index in ``shape`` of a flat index ``row``."""
     return tuple(map(int, np.unravel_index(row, shape)))
 
 
 def first_error(problems: list[tuple[int, str, str]], value: Any, shape: tuple[int, ...]) -> ShotError:
-    """Return the error about the first of the shots without a result; ``value`` is that of its input at fault."""
+    """Return the error for the first shot without a result; ``value`` is the value of its input at fault."""
     row, name, reason = problems[0]
     return ShotError(name, value, reason, index_of(row, shape), len(problems) - 1)
 
 
 def translate_core_error(error: ValueError, value_of: Callable[[str], Any]) -> ShotError:
-    """Turn the core's ``ValueError(name, message)`` about one shot into an error of the package.
+    """Convert the core's ``ValueError(name, message)`` about one shot to an error of the package.
 
-    ``value_of`` returns the value [SI] of an input by its name, None where there is none.
+    ``value_of`` returns the value of an input by name [SI], or None if there is none.
     """
     name, message = error.args if len(error.args) == 2 else ("the request", str(error))
     return ShotError(name, value_of(name), message)

@@ -1,4 +1,4 @@
-"""Exact derivatives of a launch, as a table with units, and of a flight by its launch, ball, air and ground."""
+"""Exact derivatives: of a launch, as a table with units, and of a flight by launch, ball, air and ground."""
 
 from __future__ import annotations
 
@@ -51,16 +51,16 @@ if TYPE_CHECKING:
 
 
 _SPEED = "mph"
-"""The unit of speeds in a table of derivatives, in which golfers think of them."""
+"""Unit of speeds in a table of derivatives, the one golfers use."""
 
 MAIN = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "spin_axis")
 """The outputs shown when a table is printed."""
 FEW = 20
-"""Parameters of a model that are shown when a table is printed; of a model with more, only ``OF_THE_BALL``, since the
+"""Maximum number of model parameters in a printed table; of a model with more, only ``OF_THE_BALL`` is shown, since the
 others are coefficients of a fit."""
 OF_THE_BALL = ("friction",)
 LEAST = 5e-5
-"""Derivatives smaller than this, in the units shown, are printed as zero; files have all digits."""
+"""Derivatives below this, in the units shown, are printed as zero; files keep all digits."""
 
 
 _SURPRISES = {
@@ -70,8 +70,8 @@ _SURPRISES = {
     "attack-at-held-loft": ("attack", math.radians(1.0), "backspin", "backspin"),
     "static-loft-at-held-loft": ("static_loft", math.radians(1.0), "launch", "launch"),
 }
-"""Notes on derivatives that are negative although many expect a positive one: variable, its step [SI], output, and the
-name of the change of the output in the data."""
+"""Notes on derivatives that are negative though often expected to be positive: variable, its step [SI], output, and the
+name of the output's change in the data of the note."""
 
 
 class Sensitivity(Presentable):
@@ -80,13 +80,13 @@ class Sensitivity(Presentable):
     Attributes
     ----------
     outputs
-        Names of the rows.
+        Names of the rows: launch quantities.
     variables
         Names of the columns: inputs and parameters of the model.
     si
-        The derivatives in SI and radians, shape (outputs, variables), followed by the shape of the launch.
+        The derivatives in SI and radians, shape (outputs, variables, ...) with the shape of the launch last.
     launch
-        The launch they belong to, of one shot or of many.
+        The launch of one shot or many that is differentiated.
     """
 
     def __init__(
@@ -107,7 +107,7 @@ class Sensitivity(Presentable):
 
     @property
     def units(self) -> dict[str, str]:
-        """The unit each output and variable is shown in."""
+        """The unit in which each output and variable is shown."""
         return dict(self._shown)
 
     @property
@@ -120,13 +120,13 @@ class Sensitivity(Presentable):
         return self.si * columns.reshape(-1, *ones) / rows.reshape(-1, 1, *ones)
 
     def jvp(self, changes: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
-        """Return the change of every output [SI] for changes of variables, to first order: J times a vector.
+        """Return the first-order change of every output for changes of variables [SI]: J times a vector.
 
         Parameters
         ----------
         changes
-            By the name of a variable, text with a unit, an SI number or an array of them for the shots; variables that
-            are left out do not change.
+            Changes by name of the variable: text with a unit, an SI number, or an array over the shots. Variables left
+            out do not change.
         """
         check_names("variable", changes, self._columns)
         total: Any = 0.0
@@ -136,13 +136,13 @@ class Sensitivity(Presentable):
         return self._by_name(self.outputs, total)
 
     def vjp(self, weights: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
-        """Return the derivative of a weighted sum of outputs by every variable [SI]: a vector times J.
+        """Return the derivatives of a weighted sum of outputs by every variable [SI]: a vector times J.
 
         Parameters
         ----------
         weights
-            By the name of an output, per SI unit of it: a number, or an array of them for the shots; outputs that are
-            left out have no weight.
+            Weights by name of the output, per SI unit of it: a number, or an array over the shots. Outputs left out
+            have weight 0.
         """
         check_names("output", weights, self._rows)
         total: Any = 0.0
@@ -157,7 +157,7 @@ class Sensitivity(Presentable):
 
     @property
     def main_variables(self) -> tuple[str, ...]:
-        """The variables shown when a table is printed: all but the coefficients of a model that is a fit."""
+        """The variables of a printed table: all but the coefficients of a model that is a fit."""
         parameters = [name for name in self.variables if name not in inputs()]
         hidden = {name for name in parameters if len(parameters) > FEW and name not in OF_THE_BALL}
         return tuple(name for name in self.variables if name not in hidden)
@@ -168,12 +168,12 @@ class Sensitivity(Presentable):
         return self.launch.provenance
 
     def unit(self, output: str, variable: str) -> str:
-        """Return the unit a derivative is shown in, such as "rpm per mm"."""
+        """Return the unit in which a derivative is shown, such as "rpm per mm"."""
         self._place(output, variable)
         return f"{self._shown[output]} per {self._shown[variable]}"
 
     def value(self, output: str, variable: str, unit: str | None = None) -> NumberOrArray:
-        """Return one derivative, of many shots an array: in SI, or in ``unit`` such as "rpm per mm"."""
+        """Return one derivative, an array for many shots, in SI or in a ``unit`` such as "rpm per mm"."""
         derivative = self.si[self._place(output, variable)]
         derivative = derivative if self.launch.shape else float(derivative)
         if unit is None:
@@ -185,7 +185,7 @@ class Sensitivity(Presentable):
         return derivative * units.size(under) / units.size(over)
 
     def to_result(self, *, every_variable: bool = False) -> Result:
-        """Return the derivatives as a result; the coefficients of a fit are printed if ``every_variable`` is."""
+        """Return the derivatives as a result; ``every_variable`` also prints those by the coefficients of a fit."""
         shots = list(np.ndindex(self.launch.shape))
         pairs = [(output, variable) for variable in self.variables for output in self.outputs] * len(shots)
         of_shot = [shot for shot in shots for _ in range(len(self.variables) * len(self.outputs))]
@@ -224,7 +224,7 @@ class Sensitivity(Presentable):
         )  # fmt: skip
 
     def _sign_notes(self, printed: Sequence[str]) -> list[Note]:
-        """Return the notes that explain unexpected signs; for several shots, those of signs that all have."""
+        """Return notes that explain unexpected signs, for several shots only signs that all of them share."""
         notes = []
         for code, (variable, step, output, data) in _SURPRISES.items():
             if variable in printed and output in self.outputs:
@@ -235,10 +235,10 @@ class Sensitivity(Presentable):
         return notes
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a variable and one column an output, in the units shown, which stand in the labels.
+        """Return one row per variable and one column per output, in the units given in the labels.
 
-        An entry is column per row: under ``backspin [rpm]`` in the row ``toe [mm]`` it is rpm per mm. Many shots give
-        one row a derivative in SI, under the names of output, variable and shot.
+        The unit of an entry is column per row: rpm per mm in the column ``backspin [rpm]`` and row ``toe [mm]``. For
+        many shots there is one row per derivative, in SI, indexed by output, variable and shot.
         """
         import pandas
 
@@ -250,7 +250,7 @@ class Sensitivity(Presentable):
         return frame
 
     def to_xarray(self) -> xarray.DataArray:
-        """Return an array over ``output``, ``variable`` and the dimensions of the shots in SI, units as coordinates."""
+        """Return an array over ``output``, ``variable`` and the dimensions of the shots, SI, units as coordinates."""
         import xarray
 
         coordinates: dict[Any, Any] = {
@@ -320,23 +320,23 @@ def sensitivity(
     on_error: Literal["raise", "nan"] = "raise",
     **values: ValueLike | None,
 ) -> Sensitivity:
-    """Compute the derivatives of a launch by every input and parameter, through the same code as the launch itself.
+    """Compute the derivatives of a launch by every input and parameter, by automatic differentiation.
 
     Parameters
     ----------
     club, delivery, model, parameters, ball, accuracy, hand, threads, progress, on_error, **values
-        As for :func:`impact`, arrays among them: the derivatives of many shots are computed together.
+        As for :func:`impact`; arrays give the derivatives of many shots at once.
     outputs
-        Names of launch quantities; left out, all the model gives.
+        Names of launch quantities. Default: all that the model computes.
     variables
-        Names of inputs and parameters; left out, all that are differentiable, without ``added_...`` for a free head.
+        Names of inputs and parameters. Default: all differentiable ones, without ``added_...`` for a free head.
     units
-        The unit to show an output or variable in, by name; left out, practical ones ("rpm per mm").
+        Units in which outputs and variables are shown, by name. Default: practical units ("rpm per mm").
 
     Returns
     -------
     Sensitivity
-        A table with labels and units; of many shots an array, shape (outputs, variables, ...).
+        A table with labels and units; for many shots an array, shape (outputs, variables, ...).
     """
     check_on_error(on_error)
     accuracy, cores = tolerance(accuracy), thread_count(threads)
@@ -355,7 +355,7 @@ def sensitivity(
         club, values, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand, threads=threads,
         on_error=on_error if shape else "raise",
     )  # fmt: skip
-    # Outputs that the model does not give are without a value.
+    # Outputs that the model does not compute are NaN.
     known_rows = {name: (row, each) for row, (name, each) in enumerate(launch_outputs().items())
                   if np.isfinite(getattr(launch, name)).any()}  # fmt: skip
     rows = _chosen("output", outputs, known_rows)
@@ -377,7 +377,7 @@ def sensitivity(
 
 
 def known_variables(model: str) -> dict[str, tuple[int, Variable]]:
-    """Return column and quantity of every variable: the differentiable inputs, then the parameters of the model."""
+    """Return column and quantity of every variable: differentiable inputs, then parameters of the model."""
     known = {name: (column, each) for column, (name, each) in enumerate(inputs().items()) if each.differentiable}
     for column, each in enumerate(model_named(model).parameters, len(inputs())):
         known[each.name] = (column, Variable(each.name, each.unit, each.meaning, "parameter", True))
@@ -398,26 +398,26 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
 
 
 def _checked(quantity: Variable, symbol: str) -> str:
-    """Return the unit ``symbol`` if it is one of ``quantity``."""
+    """Return the unit ``symbol``, or raise UnitError if it does not fit ``quantity``."""
     return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
 
 
 class FlightDerivatives(NamedTuple):
-    """One flight and its derivatives.
+    """A flight and its derivatives.
 
     Attributes
     ----------
     values
-        Quantities of the flight by name [SI].
+        Flight quantities by name [SI].
     jacobian
-        Derivatives [SI], shape (quantities of a flight, inputs of a flight).
+        Derivatives [SI], shape (flight quantities, flight inputs).
     """
 
     values: dict[str, float]
     jacobian: Floats
 
     def by(self, quantity: str, name: str) -> float:
-        """Return the derivative of one quantity by one input [SI]."""
+        """Return the derivative of a quantity by an input [SI]."""
         rows, columns = list(flight_outputs()), list(flight_inputs())
         check_choice("quantity", quantity, rows)
         check_choice("input of a flight", name, columns)
@@ -431,7 +431,7 @@ def flight_derivatives(
     wind: WindLike | None = None,
     ground: GroundLike | None = None,
 ) -> FlightDerivatives:
-    """Differentiate one flight; the arguments are those of :func:`fly`, of a single launch."""
+    """Compute one flight and its derivatives; arguments as for :func:`fly`, for a single launch."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
         raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single launch")
@@ -439,7 +439,7 @@ def flight_derivatives(
 
 
 def differentiated(columns: Mapping[str, float]) -> FlightDerivatives:
-    """Differentiate the flight of which ``columns`` are the inputs [SI], in the order of the core."""
+    """Differentiate the flight with the inputs ``columns`` [SI], in the order of the core."""
     try:
         values, jacobian = core.fly_sensitivity(list(columns.values()))
     except ValueError as error:

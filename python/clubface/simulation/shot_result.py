@@ -1,4 +1,4 @@
-"""A shot by one model or several as a result, or the flight of a known launch: values, notes, pictures, provenance."""
+"""Results of a shot by one or several models, or of a flight: values, notes, pictures, provenance."""
 
 from __future__ import annotations
 
@@ -35,24 +35,24 @@ QUANTITIES = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "carry", "side",
     "curve", "total", "apex", "landing_angle", "contact_time", "peak_force",
 )  # fmt: skip
-"""What is computed of a shot, in the order of its table."""
+"""Quantities of a shot, in the order of its table."""
 OF_FLIGHT = (
     "carry", "side", "curve", "total", "total_side", "apex", "landing_angle", "flight_time", "landing_speed",
     "landing_spin",
 )  # fmt: skip
-"""What is computed of a flight of known launch, in the order of its table."""
+"""Quantities of a flight with known launch, in the order of its table."""
 ENDS = ("soft", "firm")
-"""The fairways between which a total lies that no published run supports."""
+"""Fairways that bound the total where no measured run is published."""
 ONE_MODEL_ONLY = ("total_spin", "total", "apex", "landing_angle")
-"""What the table of several models leaves out, so that it fits a terminal."""
+"""Quantities left out of the table of several models, so that it fits a terminal."""
 _LEAST_SIDE, _LEAST_HEIGHT = 0.06, 0.08
-"""Least extent of a view, over its length: to either side from above, and upwards from the side."""
+"""Minimum extent of a view over its length: to either side from above, and upwards from the side."""
 _TALLEST = 0.5
-"""Height over width at which a view of the flight is cut."""
+"""Maximum height over width of a view of the flight."""
 _WIDTH = 6.4
-"""Inches between the axes of a panel that takes the whole width."""
+"""Width of the axes of a panel over the whole picture [inches]."""
 _MOST_STARTS = 4
-"""Flights of which the start lines are drawn; more would cover each other."""
+"""Maximum number of flights drawn with start lines; more would overlap."""
 
 
 def shot_result(
@@ -62,10 +62,10 @@ def shot_result(
     conditions: Mapping[str, Any] | None = None,
     paths: Callable[[], tuple[Mapping[str, Any], Mapping[str, Any]]] | None = None,
 ) -> Result:
-    """Return a shot as a result; launches and flights go by the name of the model.
+    """Return the result of a shot; launches and flights are keyed by model name.
 
-    ``conditions`` are air, wind and ground, as :func:`clubface.fly` takes them. ``paths`` computes what the picture
-    draws: positions of the ball in flight [m], shape [n, 3], and force histories of the models that have one, by model.
+    ``conditions`` are air, wind and ground, as for :func:`clubface.fly`. ``paths`` computes the data of the picture by
+    model: positions of the ball in flight [m], shape [n, 3], and the force histories of models that have one.
     """
     first = next(iter(launches.values()))
     alone = len(launches) == 1
@@ -97,9 +97,9 @@ def flight_result(
     ground: GroundLike | None = None,
     hand: str = "right",
 ) -> Result:
-    """Fly a ball and return its way through the air and on the ground, of a low ball on soft and firm ground too.
+    """Compute flight, bounces and roll of a ball as a result; for low balls also the totals on soft and firm ground.
 
-    The arguments are single values as for :func:`clubface.fly`, and the hand of the player, for the name of the shot.
+    Arguments are single values as for :func:`clubface.fly`, and the hand of the player, for the name of the shot.
     """
     flown = fly(launch, air=air, wind=wind, ground=ground)
     values = [column(name, [getattr(flown, name)]) for name in OF_FLIGHT]
@@ -127,13 +127,13 @@ _TOO_LOW = {
     "shot-shape-by-model": "shot-too-low-by-model",
     "comparison-shape": "comparison-too-low",
 }
-"""Codes of the sentences that replace those about the shape of a shot if the ball does not fly."""
+"""Codes of the notes that replace those on the shape of a shot if the ball does not fly."""
 
 
 def shape_note(code: str, flight: Flight, hand: HandLike | None = None, **data: Any) -> Note:
-    """Return the note on the shape of a shot: start, curve, landing, and what golfers call that.
+    """Return the note on the shape of a shot: start, curve, landing, and the golfer's name for it.
 
-    ``code`` is that of the sentence in the catalogue, ``data`` are further data of it. The flight is of a single ball.
+    ``code`` is the code of the note in the catalogue, ``data`` its further data. The flight is of a single ball.
     """
     if not (shape := flight.shot_shape(hand)):
         return note(_TOO_LOW[code], **data)
@@ -175,9 +175,9 @@ def _notes(launches: Mapping[str, Launch], flights: Mapping[str, Flight]) -> lis
 
 
 def lie_note(launch: Launch) -> Note | None:
-    """Return the note that the lie does not turn the face; None if the club is not tilted.
+    """Return the note that the lie tilt does not turn the face, or None if the club is not tilted.
 
-    A club that is tilted toe up about the target line, and not delivered otherwise, turns its face to the heel's side.
+    A club tilted toe up about the target line, with nothing else changed, turns its face to the heel side.
     """
     lie, loft, hand = (float(launch.input(name)) for name in ("lie", "loft", "hand"))
     if lie == 0.0:
@@ -186,13 +186,13 @@ def lie_note(launch: Launch) -> Note | None:
 
 
 def subject(launch: Launch) -> str:
-    """Return club and ball in words; a left-handed club is called so."""
+    """Return club and ball in words, with "left-handed" where it applies."""
     left = ", left-handed" if launch.input("hand") < 0.0 else ""
     return f"{launch.club.name}{left}, ball {launch.ball.name}"
 
 
 def shot_title(launch: Launch) -> str:
-    """Return club and delivery in words, values and units held together by spaces that do not break."""
+    """Return club and delivery in words, with non-breaking spaces between values and units."""
     parts = [
         f"{name.replace('_', ' ')} {format_value(float(value), quantity(name))}"
         for name, value in launch.delivery.items()
@@ -210,18 +210,18 @@ def shot_picture(
     title: str = "",
     shapes: Mapping[str, str] | None = None,
 ) -> Picture:
-    """Return the picture of a shot: forces above, the flight from the side and from above below.
+    """Return the picture of a shot: forces at the top, the flight from the side and from above underneath.
 
     Parameters
     ----------
     flights
         Positions of the ball [m], shape [n, 3], by model or other name.
     histories
-        A :class:`clubface.History` (or its columns by name) of each model that has one.
+        A :class:`clubface.History`, or its columns by name, for each model that has one.
     title
-        What was hit and how.
+        Title: club and delivery in words.
     shapes
-        What golfers call the shots, by model.
+        Golfer's names of the shots, by model.
     """
     histories = histories or {}
     forces = _force_panels(histories)
@@ -237,7 +237,7 @@ def shot_picture(
 
 
 def force_picture(histories: Mapping[str, Any]) -> Picture:
-    """Return the picture of the forces on the ball over time; ``histories`` as of :func:`shot_picture`."""
+    """Return the picture of the forces on the ball over time; ``histories`` as for :func:`shot_picture`."""
     panels = _force_panels(histories, named=True)
     return Picture("forces", "The force on the ball over time", [panels], height=2.5, legend=True)
 
@@ -247,13 +247,13 @@ _FORCES = {
     "force_y": ("friction down the face,\nmakes backspin", -1.0),
     "force_z": ("friction to the toe", 1.0),
 }
-"""Columns of a history, which point up the face and to the toe, with their labels and the sign that is drawn."""
+"""Friction columns of a history, up the face and towards the toe, with label and sign of the drawn curve."""
 _LEAST_FORCE = 20.0
-"""N below which friction to the side is noise, and over which an axis of friction extends at least to either side."""
+"""Threshold below which sideways friction counts as noise, and minimum extent of a friction axis [N]."""
 
 
 def _force_panels(histories: Mapping[str, Any], *, named: bool = False) -> list[Panel]:
-    """Return the panels of the forces; one of friction to the side only where there is some."""
+    """Return the panels of the forces; sideways friction only if there is some."""
     if not histories:
         return []
     sideways = max(float(np.abs(_values(each, "force_z")).max(initial=0.0)) for each in histories.values())
@@ -282,10 +282,10 @@ def flight_views(
     styles: Mapping[str, str | int] | None = None,
     starts: bool = True,
 ) -> tuple[list[Panel], list[float]]:
-    """Return panels of flights from the side and from above, both to scale, and their heights [inches].
+    """Return panels of flights from the side and from above, to scale, and their heights [inches].
 
-    ``flights`` are positions of the ball [m], shape [n, 3], by name; ``shapes`` what golfers call the shots, for the
-    legend; ``styles`` those of the lines, by model unless given. Lines on which balls start are drawn with ``starts``.
+    ``flights`` are positions of the ball [m], shape [n, 3], by name; ``shapes`` are the golfer's names of the shots,
+    for the legend; ``styles`` are line styles. Default: by model. ``starts`` draws the start lines of the balls.
     """
     paths = {name: np.asarray(each, dtype=float) for name, each in flights.items()}
     labels = {name: f"{name}: {shape}" if (shape := (shapes or {}).get(name)) else name for name in paths}
@@ -319,7 +319,7 @@ def flight_views(
 
 
 def _start_line(path: NDArray[Any]) -> Mark:
-    """Return the line on which a ball starts, as far as it carries."""
+    """Return the start line of a ball, as long as its carry."""
     way = path[1, [0, 2]] - path[0, [0, 2]]
     reach = float(np.hypot(*path[-1, [0, 2]])) / max(float(np.hypot(*way)), 1e-9)
     return Mark("line", [0.0, reach * way[0]], [0.0, reach * way[1]], style=-1, dash=2, size=0.8, label="start line")
@@ -330,7 +330,7 @@ def _values(history: Any, name: str) -> Any:
 
 
 def batch_provenance(batch: Batch) -> Provenance:
-    """Return what a batch of launches or flights was computed from."""
+    """Return the provenance of a batch of launches or flights."""
     if isinstance(batch, Launch):
         return provenance_of([batch])
     assert isinstance(batch, Flight)
@@ -338,7 +338,7 @@ def batch_provenance(batch: Batch) -> Provenance:
 
 
 def comparison_result(launches: Comparison) -> Result:
-    """Return the launches by several models: one row a shot and model."""
+    """Return the launches by several models as a result, one row per shot and model."""
     tables = [each.to_result().tables[0] for each in launches.values()]
     first = tables[0]
     models = [name for name, each in zip(launches, tables, strict=True) for _ in range(len(each))]
@@ -356,7 +356,7 @@ def comparison_result(launches: Comparison) -> Result:
 
 
 def history_result(history: History) -> Result:
-    """Return a contact: its time and peak force, and every step in files."""
+    """Return a contact as a result: its time and peak force, and every step in files."""
     launch = history.launch
     values = (column("contact_time", [launch.contact_time]), column("peak_force", [launch.peak_force]))
     return Result(
@@ -366,7 +366,7 @@ def history_result(history: History) -> Result:
 
 
 def trajectory_result(path: Trajectory) -> Result:
-    """Return the path of a ball: time and place of its landing, and every point in files."""
+    """Return the path of a ball as a result: time and place of its landing, and every point in files."""
     values = (
         column("flight_time", [path.time[-1]]), column("apex", [path.position[:, 1].max()]),
         column("carry", [path.position[-1, 0]]), column("side", [path.position[-1, 2]]),
@@ -379,13 +379,13 @@ def trajectory_result(path: Trajectory) -> Result:
 
 
 def _flight_provenance(launch: Launch | None, inputs: Mapping[str, ArrayLike]) -> Provenance:
-    """Return what a flight was computed from: the launch if there is one, else its values, and air and ground."""
+    """Return the provenance of a flight: the launch or its values, air and ground."""
     known = flight_inputs()
     shown = {name: value for name, value in inputs.items() if launch is None or known[name].group in ("air", "ground")}
     return provenance_of([] if launch is None else [launch], dict(flight_input_words(shown)))
 
 
 def _series_table(name: str, series: Series) -> Table:
-    """Return a row a time, vectors as columns by component; the terminal leaves it out."""
+    """Return a table with one row per time, vectors by component; not shown in the terminal."""
     columns = [column(each, values, unit) for each, (values, unit) in series.components().items()]
     return Table(name, tuple(columns), printed=False)

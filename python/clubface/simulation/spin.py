@@ -1,11 +1,12 @@
-"""Spin as one vector: from whichever of backspin, sidespin, total spin and spin axis are known, those that follow.
+"""Spin as one vector: backspin, sidespin, total spin and spin axis, the unknown ones computed from the known ones.
 
-A launch monitor sees no spin about the direction of launch, so that the vector has two components:
+A launch monitor sees no spin about the launch direction, so the vector has two components:
 
     total spin = sqrt(backspin^2 + sidespin^2),  spin axis = atan2(sidespin, backspin).
 
-Two of the four settle the others, but total spin with backspin says nothing of the side, and with sidespin it leaves a
-topped ball out. What does not follow stays unknown; nothing is taken as zero here.
+Any two of the four determine the others, except that total spin with backspin does not give the sign of the sidespin,
+and total spin with sidespin assumes that the ball is not topped. What cannot be determined stays unknown; nothing is
+assumed to be zero here.
 """
 
 from __future__ import annotations
@@ -26,64 +27,64 @@ from clubface.units import show, size
 SPINS = BACK, SIDE, TOTAL, AXIS = "backspin", "sidespin", "total_spin", "spin_axis"
 DIMENSIONS = {BACK: "angular rate", SIDE: "angular rate", TOTAL: "angular rate", AXIS: "angle"}
 UNITS = {BACK: "rpm", SIDE: "rpm", TOTAL: "rpm", AXIS: "deg"}
-"""The units in which monitors write them."""
+"""Units used by launch monitors."""
 STEPS = {"rpm": (10.0, 1.0), "deg": (1.0, 0.1)}
-"""Steps to which monitors round, the coarsest first; a value that is on none is held to be rounded to the last."""
+"""Rounding steps of monitors, coarsest first; values on none of them count as rounded to the last."""
 WEAKEST = 0.25
-"""Relative error up to which a value follows from others: the sidespin of 30 rpm that a ball with an axis of 1 degree
-has says nothing of its backspin."""
+"""Maximum relative error of a derived value: a sidespin of 30 rpm at a spin axis of 1 degree does not determine the
+backspin."""
 ALONG = 0.02
-"""Part by which a total spin may exceed backspin and sidespin: what turns about the direction of launch is in the total
-of whoever sees it, as in that of :class:`Launch`. Of drives that hit the face 20 mm off its centre it is up to 0.04."""
+"""Relative excess of total spin allowed over that of backspin and sidespin. Some totals include the spin about the
+launch direction, as that of :class:`Launch` does; for drives struck 20 mm off centre this is up to 0.04."""
 CLEARLY = 0.5
-"""By which part of their rounding three spins must agree better than three others to decide about the fourth."""
+"""Margin, in units of their rounding, by which three spins must agree better than others to overrule the fourth."""
 VECTOR = "total_spin^2 = backspin^2 + sidespin^2 and spin_axis = atan2(sidespin, backspin)"
 LISTED = 3
-"""Contradictions that have a note each."""
+"""Maximum number of contradictions with a note each."""
 
 
 class Contradiction(NamedTuple):
-    """Spins of one shot that cannot be those of one ball."""
+    """Contradicting spins of one shot."""
 
-    place: int  # the place of the shot, from 0
-    given: Mapping[str, float]  # what was given [rad/s, rad]
-    kept: tuple[str, ...]  # the names of what is kept of it
+    place: int  # index of the shot, from 0
+    given: Mapping[str, float]  # the given values [rad/s, rad]
+    kept: tuple[str, ...]  # names of the values that are kept
 
     @property
     def note(self) -> Note:
-        """What contradicts each other, and what is kept of it."""
+        """The note on the contradicting values and those that are kept."""
         if not self.kept:
             return note("spins-contradict-none-kept", spins=dict(self.given))
         return note("spins-contradict", spins=dict(self.given), kept=[name.replace("_", " ") for name in self.kept])
 
 
 class Spins(NamedTuple):
-    """Spins of some shots, completed."""
+    """Completed spins of shots."""
 
-    values: dict[str, Floats]  # each of the four that is known for a shot [rad/s, rad]; NaN where it is not
-    contradictions: tuple[Contradiction, ...]  # those of the shots, in their order
-    notes: tuple[Note, ...]  # further remarks: where a topped ball was ruled out, and where the direction stays unknown
+    values: dict[str, Floats]  # each of the four that is known for any shot [rad/s, rad]; NaN where unknown
+    contradictions: tuple[Contradiction, ...]  # in the order of the shots
+    notes: tuple[Note, ...]  # on shots assumed not to be topped, and on shots whose direction stays unknown
 
 
 def wrapped(angle: Any) -> Any:
-    """Return angles of up to a whole turn [rad] within (-180, 180] degrees; greater ones, which are none, unchanged."""
+    """Wrap angles of up to a whole turn to (-180, 180] degrees [rad]; larger ones are invalid and left unchanged."""
     turn = 2.0 * math.pi
     beyond = np.where(angle > math.pi, angle - turn, np.where(angle <= -math.pi, angle + turn, angle))
     return np.where(np.abs(angle) <= turn, beyond, angle)
 
 
 def complete(given: Mapping[str, Any]) -> Spins:
-    """Return all that follows from the spins that are given, an array each with an element for each shot.
+    """Complete the given spins: compute every spin that they determine, as arrays over the shots.
 
-    Given values stay as they are, but for those that contradict others beyond their rounding. Where three of four agree
-    and clearly better than any other three, the fourth is dropped. Otherwise, and of three, total spin and spin axis
-    are kept where both are there, else backspin and sidespin, and what contradicts these is dropped. Of two that
-    contradict each other, such as a total spin below the backspin, none is kept, nor is a total spin below 0.
+    Given values are kept unless they contradict others beyond rounding. If three of four agree clearly better than any
+    other three, the fourth is dropped. Otherwise, and for three values, total spin and spin axis are kept if both are
+    given, else backspin and sidespin, and values that contradict them are dropped. Of two contradicting values, such as
+    a total spin below the backspin, neither is kept; a negative total spin is dropped.
 
     Parameters
     ----------
     given
-        Some of ``SPINS`` [rad/s, rad], of one length; NaN is not known.
+        Some of ``SPINS`` [rad/s, rad], arrays of equal length; NaN means unknown.
     """
     arrays = {name: np.asarray(given[name], dtype=np.float64) for name in SPINS if name in given}
     count = len(next(iter(arrays.values()))) if arrays else 0
@@ -99,7 +100,7 @@ def complete(given: Mapping[str, Any]) -> Spins:
 
 
 def agreeing(given: Mapping[str, Any]) -> Spins:
-    """Return spins completed as by :func:`complete`, but refuse those that contradict each other."""
+    """Complete spins as :func:`complete` does, but raise InputError if they contradict each other."""
     spins = complete(given)
     for first in spins.contradictions:
         words = " and ".join(map(entry_text, first.given, first.given.values()))
@@ -109,17 +110,17 @@ def agreeing(given: Mapping[str, Any]) -> Spins:
 
 
 def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
-    """Return backspin and sidespin for a computation that needs both, and in words what was assumed for it, or "".
+    """Return backspin and sidespin for a computation that needs both, and the assumption made in words, or "".
 
     Parameters
     ----------
     given
-        Some of ``SPINS`` [rad/s, rad], numbers or arrays of one shape; NaN stays NaN.
+        Some of ``SPINS`` [rad/s, rad], numbers or arrays of equal shape; NaN stays NaN.
 
     Raises
     ------
     InputError
-        Spins contradict each other, or they are an axis without a magnitude.
+        Spins contradict each other, or a spin axis is given without a magnitude.
     """
     names = [name for name in SPINS if name in given]
     if names == [BACK, SIDE]:
@@ -145,7 +146,7 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
 
 
 def notes_of(spins: Spins, places: Iterable[int], row_word: str = "line") -> tuple[Note, ...]:
-    """Return the notes on the spins of shots; ``places`` are their lines or rows."""
+    """Return the notes on the spins of shots; ``places`` are the lines or rows of the shots."""
     at, more = list(places), len(spins.contradictions) - LISTED
     return (
         *(each.note.of(**{f"at_{row_word}": at[each.place]}) for each in spins.contradictions[:LISTED]),
@@ -155,7 +156,7 @@ def notes_of(spins: Spins, places: Iterable[int], row_word: str = "line") -> tup
 
 
 def _settle(spins: dict[str, Floats]) -> tuple[Contradiction, ...]:
-    """Take what contradicts the rest out of ``spins``, and return it."""
+    """Remove contradicting values from ``spins`` and return the contradictions."""
     before = {name: values.copy() for name, values in spins.items()}
     has = {name: ~np.isnan(values) for name, values in spins.items()}
     strict, misfit = _misfits(spins, 0.0), _misfits(spins, ALONG)
@@ -186,9 +187,9 @@ def _settle(spins: dict[str, Floats]) -> tuple[Contradiction, ...]:
 
 
 def _misfits(spins: Mapping[str, Floats], along: float) -> dict[tuple[str, ...], Floats]:
-    """Return by how much spins, two or three together, miss being one vector, over what rounding explains.
+    """Return the inconsistency of pairs and triples of spins, divided by the part that rounding explains.
 
-    ``along`` is the part by which the total spin may exceed what the others say.
+    ``along`` is the relative excess allowed for the total spin over that of the other spins.
     """
 
     def beyond(by_total: Floats, seen: Floats) -> Floats:
@@ -215,7 +216,7 @@ def _misfits(spins: Mapping[str, Floats], along: float) -> dict[tuple[str, ...],
 
 
 def _follow(spins: dict[str, Floats]) -> NDArray[np.bool_]:
-    """Fill in what follows; return for which shots only as the ball is not topped."""
+    """Fill in the spins that follow; return the shots for which this assumes that the ball is not topped."""
     error = {name: _rounding(values, UNITS[name]) for name, values in spins.items()}
 
     def known(*names: str) -> NDArray[np.bool_]:
@@ -242,7 +243,7 @@ def _follow(spins: dict[str, Floats]) -> NDArray[np.bool_]:
 
 
 def _rounding(values: Floats, unit: str) -> Floats:
-    """Return by how much values [SI] may be off because they were rounded [SI]."""
+    """Return the rounding error of values [SI]."""
     numbers = values / size(unit)
     steps = np.full(values.shape, STEPS[unit][-1])
     for step in STEPS[unit][-2::-1]:
@@ -252,5 +253,5 @@ def _rounding(values: Floats, unit: str) -> Floats:
 
 
 def rolling_speed(ball: Ball, spin: Any) -> Any:
-    """Return the speed along the face [m/s] with which a ball of one piece that stays round has this spin [rad/s]."""
+    """Return the speed along the face [m/s] of a rigid one-piece ball that friction gave this spin [rad/s]."""
     return ball.inertia * np.asarray(spin) / (ball.mass * ball.radius)

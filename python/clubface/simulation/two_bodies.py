@@ -1,7 +1,7 @@
-"""A contact under a law of one's own, followed by SciPy in world axes of a right-hander, and what a law receives.
+"""Contact under a user-defined law, integrated by SciPy in world axes for a right-hander, and the input of a law.
 
-Clubhead and ball move by the equations of Newton and Euler, with the momentum of both bodies and the angular momentum
-of the head as states.
+Clubhead and ball obey the Newton-Euler equations, with the momenta of both bodies and the angular momentum of the head
+as states.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from clubface.errors import RunError
 from clubface.simulation.pose import attitude, circle
 
 HISTORY_POINTS = 201
-"""Times of a history, evenly spaced from first touch to separation."""
+"""Number of evenly spaced times of a history from first touch to separation."""
 
 
 def launch_outputs(bodies: Any, solution: Any) -> NDArray[Any]:
-    """Return the outputs of a contact in their order."""
+    """Return the outputs of a contact in the order of the core."""
     end = solution.y[:, -1]
     mirror, turned = np.array([1.0, 1.0, bodies.hand]), np.array([bodies.hand, bodies.hand, 1.0])
     v, w = end[BALL_VELOCITY] * mirror, end[BALL_SPIN] * turned
@@ -38,7 +38,7 @@ def launch_outputs(bodies: Any, solution: Any) -> NDArray[Any]:
 
 
 def _peak(bodies: Any, solution: Any) -> float:
-    """Return the largest normal force: near the largest of all steps, between its neighbours."""
+    """Return the peak normal force, refined between the neighbours of the largest step."""
     from scipy.optimize import minimize_scalar
 
     def force(time: float) -> float:
@@ -52,7 +52,7 @@ def _peak(bodies: Any, solution: Any) -> float:
 
 
 def sample_history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
-    """Return the course of a contact under the names of :class:`clubface.History`."""
+    """Return the time history of a contact, with the names of :class:`clubface.History`."""
     time = np.linspace(0.0, solution.t[-1], HISTORY_POINTS)
     states = solution.sol(time).T
     states[-1] = solution.y[:, -1]
@@ -80,32 +80,32 @@ def sample_history(bodies: Any, solution: Any) -> dict[str, NDArray[Any]]:
 
 
 LONGEST = 0.01
-"""Time after which a contact is given up [s]; a drive lasts half a millisecond."""
+"""Maximum duration of a contact [s]; a drive lasts half a millisecond."""
 MOST_EVALUATIONS = 50_000
-"""Evaluations of a law after which a contact is given up; a drive takes some 300."""
+"""Maximum number of evaluations of a law per contact; a drive takes about 300."""
 
 
 class Touch(NamedTuple):
-    """What a law of contact receives at one instant.
+    """Input of a contact law at one instant.
 
     Attributes
     ----------
     depth
         Penetration of ball and face [m], 0 or more.
     rate
-        Its rate [m/s]: positive while the ball is compressed.
+        Rate of penetration [m/s], positive during compression.
     sliding_y, sliding_z
         Velocity of the ball's surface on the face [m/s], up the face and towards the toe.
     curvature
         Mean curvature of the face at the point of contact [1/m], 0 for a flat one.
     radius
-        Of the ball [m].
+        Radius of the ball [m].
     time
-        Since first touch [s].
+        Time since first touch [s].
     slip_y, slip_z
-        Distance that the ball's surface has slid [m], up the face and towards the toe.
+        Sliding distance of the ball's surface [m], up the face and towards the toe.
     high, toe
-        The point of contact from the face centre [m], up the face and towards the toe.
+        Point of contact relative to the face centre [m], up the face and towards the toe.
     """
 
     depth: float
@@ -122,17 +122,17 @@ class Touch(NamedTuple):
 
 
 Law = Callable[..., Sequence[Any]]
-"""Normal force and the friction on the ball up the face and towards the toe [N], from touch and parameters; from states
-their rates as well."""
+"""Function of touch, parameters and states, if any. It returns the normal force and the friction on the ball up the
+face and towards the toe [N], and the rates of the states."""
 
 BALL, BALL_VELOCITY, BALL_SPIN, CLUB, CLUB_VELOCITY, CLUB_MOMENTUM = (slice(n, n + 3) for n in range(0, 18, 3))
 ATTITUDE, WORK, SLIP = slice(18, 22), slice(22, 24), slice(24, 26)
 LAW = 26
-"""Where the states of the law begin."""
+"""Index of the first state of the law."""
 
 
 class Instant(NamedTuple):
-    """Everything that the state of both bodies says of one instant, in world axes of a right-hander."""
+    """Forces and kinematics at one instant, computed from the state of both bodies, in right-handed world axes."""
 
     touch: Touch
     forces: tuple[float, float, float]
@@ -145,7 +145,7 @@ class Instant(NamedTuple):
 
 
 class TwoBodies:
-    """One club, ball and delivery, given as the inputs of a shot by name, and the law between them."""
+    """The equations of motion of a club and a ball, given by the inputs of a shot, under a contact law."""
 
     def __init__(
         self,
@@ -171,7 +171,7 @@ class TwoBodies:
         self.start = self._start(given)
 
     def _start(self, given: Mapping[str, float]) -> NDArray[Any]:
-        """Return the state at first touch: the clubhead's CG at the origin."""
+        """Return the state at first touch, with the clubhead's CG at the origin."""
         attack, path, speed = given["attack"], given["path"] * self.hand, given["speed"]
         up, sideways = math.sin(attack), math.sin(path)
         point = self._face_point(given["toe"], given["high"])
@@ -188,13 +188,13 @@ class TwoBodies:
         return state
 
     def _face_point(self, toe: float, high: float) -> NDArray[Any]:
-        """Return the face point at offsets in the plane tangent at the centre, from the centre, in face axes."""
+        """Return the face point at offsets in the tangent plane at the face centre, in face axes."""
         x = -self.roll * high**2 / (math.sqrt(1.0 - (self.roll * high) ** 2) + 1.0)
         root = math.sqrt((1.0 + self.bulge * x) ** 2 - (self.bulge * toe) ** 2)
         return np.array([(2.0 * x + self.bulge * (x**2 - toe**2)) / (root + 1.0), high, toe])
 
     def nearest(self, place: Sequence[float] | NDArray[Any]) -> tuple[float, NDArray[Any], float]:
-        """Return distance from the face, normal and mean curvature at the nearest point of the face, in face axes."""
+        """Return the distance from the face, and normal and mean curvature at the nearest face point, in face axes."""
         x, y, z = place
         across, radial_x, radial_z = circle(math, x, z, self.bulge)
         distance, normal_x, normal_y = circle(math, across, y, self.roll)
@@ -203,7 +203,7 @@ class TwoBodies:
         return distance, normal, 0.5 * (self.roll + other)
 
     def at(self, state: NDArray[Any], time: float) -> Instant:
-        """Return what a state says at a time, and the forces of the law."""
+        """Return the kinematics of a state at a time, with the forces of the law."""
         attitude = self.attitude @ _matrix(state[ATTITUDE])
         club_spin = attitude @ (self.inverse_inertia @ (state[CLUB_MOMENTUM] @ attitude))
         apart = state[BALL] - state[CLUB]
@@ -236,7 +236,7 @@ class TwoBodies:
         return Instant(touch, (pressed, along_up, along_toe), force, arm, point, club_spin, attitude, rates)
 
     def rate(self, time: float, state: NDArray[Any]) -> NDArray[Any]:
-        """Return the derivative of a state by time."""
+        """Return the time derivative of a state."""
         now = self.at(state, time)
         result = np.empty(len(state))
         result[BALL] = state[BALL_VELOCITY]
@@ -266,14 +266,14 @@ class TwoBodies:
         return 0.5 * float(ball + club + momentum @ self.inverse_inertia @ momentum)
 
     def run(self, tolerance: float) -> Any:
-        """Integrate to separation with a relative tolerance a step; return the solution of scipy.
+        """Integrate to separation with a relative tolerance per step; return the solution object of SciPy.
 
         Raises
         ------
         RunError
-            The law fails, or returns something else than three finite forces.
+            The law raises an error, or does not return three finite forces.
         UnfinishedContactError
-            Ball and club do not part, or the law changes too sharply for its energy to be kept.
+            Ball and club do not separate, or the law changes too sharply for its energy balance to close.
         """
         from scipy.integrate import solve_ivp
 
@@ -316,7 +316,7 @@ class TwoBodies:
 
 
 class UnfinishedContactError(Exception):
-    """A contact whose end was not computed; the message says why, and what to do."""
+    """The contact could not be computed to its end; the message says why and what to do."""
 
 
 NEVER_PUSHES = (
@@ -332,14 +332,14 @@ TOO_STIFF = (
     " 12 kN), damping and how sharply its friction changes"
 )
 UNFINISHED = {"never pushes": NEVER_PUSHES, "still touching": STILL_TOUCHING, "too stiff": TOO_STIFF}
-"""What to say where the core has no launch."""
+"""Messages by the core's reason for not finishing a contact."""
 MOST_ENERGY_ERROR = 1e-2
-"""Part of the energy that a computed contact may gain or lose against the work of its forces."""
+"""Maximum relative error of the energy balance of a computed contact."""
 FORCES = "a law must return three numbers: the normal force, and the friction up the face and towards the toe [N]"
 
 
 def evaluate_law(law: Law, touch: Touch, values: Mapping[str, float], states: Mapping[str, float]) -> tuple[float, ...]:
-    """Return the forces of a law and the rates of its states; refuse, each with its own sentence, what is no number."""
+    """Return the forces of a law and the rates of its states; raise RunError for anything but finite numbers."""
     try:
         returned = law(touch, values, states) if states else law(touch, values)
     except Exception as error:
@@ -357,7 +357,7 @@ def evaluate_law(law: Law, touch: Touch, values: Mapping[str, float], states: Ma
 
 
 def flatten_results(returned: Any, states: Mapping[str, Any]) -> Sequence[Any]:
-    """Return forces and rates, one after the other."""
+    """Return forces and rates as one sequence."""
     results = tuple(returned)
     if not states:
         if len(results) != len(_FORCE_NAMES):
@@ -380,7 +380,7 @@ _FORCE_NAMES = ("normal force", "friction up the face", "friction towards the to
 
 
 def _matrix(quaternion: NDArray[Any]) -> NDArray[Any]:
-    """Return the rotation of a quaternion w, x, y, z of any size, which an integrator does not keep at 1."""
+    """Return the rotation matrix of a quaternion w, x, y, z, normalised since an integrator lets its length drift."""
     w, x, y, z = quaternion.tolist()
     n = 2.0 / (w * w + x * x + y * y + z * z)
     return np.array([
