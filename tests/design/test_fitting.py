@@ -125,7 +125,7 @@ TWO = (
 def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monkeypatch):
     """Stopped before the third of four: the second run judges two, and the file is that of a run without a stop."""
     judged = []
-    compute = fitting_run._tried
+    compute = fitting_run._evaluate
 
     def counted(fitting, head, ball, *rest):
         if len(judged) == 2:
@@ -133,14 +133,14 @@ def test_a_fitting_that_was_stopped_goes_on_with_what_was_judged(tmp_path, monke
         judged.append((head.name, ball.name))
         return compute(fitting, head, ball, *rest)
 
-    monkeypatch.setattr(fitting_run, "_tried", counted)
+    monkeypatch.setattr(fitting_run, "_evaluate", counted)
     target, whole = tmp_path / "parts.csv", tmp_path / "whole.csv"
     with pytest.raises(KeyboardInterrupt):
         fit(from_text(TWO), output=target)
     first = judged.copy()
     judged.clear()
     monkeypatch.setattr(
-        fitting_run, "_tried", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
+        fitting_run, "_evaluate", lambda *given: (judged.append((given[1].name, given[2].name)), compute(*given))[1]
     )
     result = fit(from_text(TWO), output=target, resume=True)
     assert [*first, *judged] == [(c, b) for c in ("driver", "3-wood") for b in ("modern", "distance")]

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from clubface.design.optimisation.result import Verdict, _of_margins, _of_range, _of_rule
+from clubface.design.optimisation.result import Verdict, _margin_verdicts, _range_verdict, _rule_verdict
 from clubface.design.rules import Rule, RuleVerdict
 from clubface.design.shells.run import broken
 from clubface.quantities import quantity
@@ -24,7 +24,7 @@ INF = math.inf
     ],
 )  # fmt: skip
 def test_a_margin_is_a_share_of_the_width_of_its_range_or_of_its_only_end(value, low, high, margin):
-    verdict = _of_range("x", value, low, high, quantity("toe"))
+    verdict = _range_verdict("x", value, low, high, quantity("toe"))
     assert (verdict.least, verdict.value, verdict.most) == (low, value, high)
     assert verdict.margin == pytest.approx(margin, abs=1e-12)
 
@@ -43,12 +43,12 @@ RULE = Rule("characteristic_time", "characteristic time of the face", 239e-6, 18
 
 def test_the_tolerance_of_a_rule_widens_its_limit_where_it_is_granted():
     rule = RuleVerdict(RULE, 250e-6)
-    with_tolerance, without = _of_rule(rule, True), _of_rule(rule, False)
+    with_tolerance, without = _rule_verdict(rule, True), _rule_verdict(rule, False)
     assert (with_tolerance.most, without.most) == pytest.approx((257e-6, 239e-6))
     assert with_tolerance.value == without.value == 250e-6
     assert with_tolerance.margin == pytest.approx(7 / 257)
     assert without.margin == pytest.approx(-11 / 239)
-    unknown = _of_rule(RuleVerdict(RULE, math.nan), True)
+    unknown = _rule_verdict(RuleVerdict(RULE, math.nan), True)
     assert unknown.state == "not known"
 
 
@@ -68,7 +68,7 @@ def test_a_club_conforms_up_to_the_limit_and_its_tolerance_inclusive(value, conf
 def test_of_several_margins_of_a_name_the_smallest_counts():
     margins = [SimpleNamespace(name="a", value=0.5), SimpleNamespace(name="b", value=-0.1),
                SimpleNamespace(name="a", value=0.25), SimpleNamespace(name="b", value=2.0)]  # fmt: skip
-    assert {each.limit: each.margin for each in _of_margins(margins)} == {"a": 0.25, "b": -0.1}
+    assert {each.limit: each.margin for each in _margin_verdicts(margins)} == {"a": 0.25, "b": -0.1}
 
 
 def test_a_head_at_a_limit_keeps_it_and_one_beyond_breaks_it():

@@ -1,1 +1,1 @@
-"""Clubs best for golfers within limits, and parts that fit them: one problem, solved with exact derivatives."""
+"""Optimised clubs and fittings for golfers: one constrained problem, solved with exact derivatives."""

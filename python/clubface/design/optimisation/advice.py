@@ -1,8 +1,8 @@
-"""Advice: which of several alternatives a golfer should play, by what counts, and which differences are worth a change.
+"""Advice: which of several alternatives a golfer should play, by objective, and which differences are worth a change.
 
-Every command that advises a golfer, a fitting, an optimisation and the best loft, asks the same question of the same
-numbers: is an alternative better than the present one by at least the smallest difference that is worth a change? All
-of them present the answer in the same sentences, tables and panel.
+Fittings, optimisations and loft fits all ask the same question of the same numbers: is an alternative better than the
+present one by at least the smallest difference worth a change? They present the answer in the same sentences, tables
+and panel.
 """
 
 from __future__ import annotations
@@ -44,39 +44,38 @@ WORTH: Mapping[str, float] = {
 }
 """The smallest difference worth a change, by objective [SI].
 
-A hundredth of a stroke a drive makes 0.14 strokes over the 14 drives of a round, just more than the 0.1 to which a
-Handicap Index is given (Rules of Handicapping, rule 5.2a). The others are about as much by Broadie's strokes: on a hole
-of 400 yards the drives of the shipped golfers cost 0.003 to 0.006 strokes for each yard that they are shorter, and
-0.014 to 0.017 for each yard that the standard deviation of the side is greater, which makes the ellipse 65 to 207 m2
-larger.
+A hundredth of a stroke per drive makes 0.14 strokes over the 14 drives of a round, just above the 0.1 to which a
+Handicap Index is given (Rules of Handicapping, rule 5.2a). The others are about equivalent in Broadie's strokes: on a
+400-yard hole the shipped golfers' drives cost 0.003 to 0.006 strokes per yard of lost distance, and 0.014 to 0.017 per
+yard of standard deviation sideways, which makes the ellipse 65 to 207 m2 larger.
 """
 ADVISED = ("carry", "total", "side_spread", "strokes")
-"""The objectives that advice compares, whatever was asked; strokes where there is a hole."""
+"""Objectives that advice always compares; strokes only with a hole."""
 CERTAIN = 2.0
-"""Standard errors beyond which a difference is called one: it is due to chance in 1 of 20 cases."""
+"""Number of standard errors above which a difference is significant: chance exceeds it in 1 of 20 cases."""
 SETS = 16
-"""Sets into which the shots are divided; the spread of their differences gives the standard error of a difference."""
+"""Number of sets of shots; the spread between them gives the standard error of a difference."""
 FEWEST = 8
-"""Fewest shots of a set: of fewer the spread to the side would be too small."""
+"""Minimum number of shots in a set; with fewer, the sideways spread would be biased low."""
 ASSUMED_HOLE = Hole(length=units.parse("400 yd", "length"))
-"""The hole on which the strokes of a wood are counted where none is given; assumed."""
+"""Default hole for counting a wood's strokes; assumed."""
 DRIVEN = np.radians(20.0)
-"""Static loft of a wood below which the club is taken to be played from the tee of :data:`ASSUMED_HOLE`."""
+"""Static loft below which a wood is assumed to be played from the tee of :data:`ASSUMED_HOLE` [rad]."""
 
 DRIVES = 14
-"""Drives of a round: the holes of a course of par 72 that are no par 3."""
+"""Drives in a round: the par 4s and par 5s of a par-72 course."""
 NEGLIGIBLE = 0.1
-"""Part of what is worth a change below which a further alternative adds nothing to those there are."""
+"""Share of a difference worth a change below which another alternative adds nothing."""
 END = 1e-3
-"""Part of the range of what is tried within which a value stands at its end."""
+"""Share of the range tried within which a value counts as at its end."""
 
 BETTER, WORSE, ALIKE, OPEN = "better", "worse", "alike", "not certain"
 
 
 def worth_of(given: Mapping[str, Any] | None) -> dict[str, float]:
-    """Return the smallest difference worth a change of every objective [SI]: those given, ``WORTH`` for the others.
+    """Return the smallest difference worth a change by objective [SI]: the given values, otherwise ``WORTH``.
 
-    A name that is none of an objective, or a value that is not above 0, is an ``InputError``.
+    An unknown objective or a value that is not positive raises an ``InputError``.
     """
     result = dict(WORTH)
     for name, value in (given or {}).items():
@@ -90,7 +89,7 @@ def worth_of(given: Mapping[str, Any] | None) -> dict[str, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class AdvisedStudy:
-    """What optimisations and fittings have in common; their attributes are described there."""
+    """Common attributes of optimisations and fittings, which describe them."""
 
     title: str
     golfers: tuple[tuple[Golfer, float], ...]
@@ -105,22 +104,22 @@ class AdvisedStudy:
 
     @property
     def present(self) -> Club:
-        """The club with which the golfers deliver as they do."""
+        """The golfers' present club, with which their deliveries were made."""
         raise NotImplementedError
 
     @property
     def purpose(self) -> str:
-        """The name of the objective that was asked for first."""
+        """Name of the main objective."""
         raise NotImplementedError
 
     @property
     def counted_hole(self) -> Hole | None:
-        """The hole on which strokes are counted: the one given, the assumed one for a wood, None for an iron."""
+        """The hole for counting strokes: the given one or, by default, the assumed one for a driver."""
         driven = self.present.parameters == "driver" and self.present.loft < DRIVEN
         return ASSUMED_HOLE if self.hole is None and driven else self.hole
 
     def judge(self, name: str) -> Objective:
-        """Return an objective by its name."""
+        """Return an objective by name."""
         return objective(name, self.counted_hole)
 
     def known(self) -> tuple[Objective, ...]:
@@ -129,24 +128,24 @@ class AdvisedStudy:
 
     @property
     def advised(self) -> tuple[Objective, ...]:
-        """The objectives that the advice compares, the one asked for first."""
+        """Objectives compared by the advice, the main one first."""
         known = {each.name: each for each in self.known()}
         return tuple(known[name] for name in dict.fromkeys((self.purpose, *ADVISED)) if name in known)
 
     def samples(self, shots: int, seed: int) -> list[tuple[dict[str, Floats], float]]:
-        """Return the deliveries of every golfer with the present club, and how much he counts."""
+        """Return deliveries with the present club and weight of every golfer."""
         hand, threads = self.present.hand, self.setting.threads or None
         return [
             (each.for_hand(hand).sample(shots, seed=seed, threads=threads), weight) for each, weight in self.golfers
         ]
 
     def describe_conditions(self, shots: int) -> str:
-        """Return in words how many shots are judged, by which model, on which hole."""
+        """Return a description of the number of shots, the model and the hole."""
         where = f"; hole of {self.hole.describe()}" if self.hole is not None else ""
         return f"{f'{shots} shots' if shots > 1 else 'one delivery'} by the model {self.setting.model}{where}"
 
     def advice(self, names: Sequence[str], values: Floats, sets: Floats, shots: int, **options: Any) -> Advice:
-        """Return the advice on alternatives, of which the first is the present one; see :class:`Advice`."""
+        """Return the advice on alternatives, the first of which is the present one; see :class:`Advice`."""
         return Advice(
             purpose=self.purpose, golfer=" and ".join(golfer.title or golfer.name for golfer, _ in self.golfers),
             objectives=self.advised, names=tuple(names), values=values, sets=sets, worth=self.worth,
@@ -158,10 +157,10 @@ class AdvisedStudy:
 def judge_sets(
     judges: Sequence[Objective], golfers: Sequence[tuple[Landings, float, Floats]], sets: int = SETS
 ) -> Floats:
-    """Return objectives in sets of shots, the weighted mean of golfers, shape (sets, objectives).
+    """Return objectives in sets of shots, averaged over golfers by weight, shape (sets, objectives).
 
-    ``golfers`` are their shots, how much each counts, and the landings [m]. There are as many sets, at most, as have
-    ``FEWEST`` shots each.
+    ``golfers`` holds shots, weight and landings [m] of each. The number of sets is reduced so that each has at least
+    ``FEWEST`` shots.
     """
     fewest = min(shots.count + shots.missed for shots, _, _ in golfers)
     sets = max(1, min(sets, fewest // FEWEST))
@@ -176,33 +175,33 @@ def judge_sets(
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Advice:
-    """Alternatives judged by several objectives on the same shots, and what a golfer should do.
+    """Alternatives compared by several objectives on the same shots, and what a golfer should do.
 
     Attributes
     ----------
     purpose
-        The name of the objective that was asked for.
+        Name of the main objective.
     golfer
-        Whom it is for, in words.
+        Description of the golfer or golfers.
     objectives
-        All objectives; the one asked for first.
+        All objectives, the main one first.
     names
-        What the alternatives are, in words; the first is the present one.
+        Descriptions of the alternatives; the first is the present one.
     values
-        What they are judged by [SI], shape (alternatives, objectives).
+        Objectives of the alternatives [SI], shape (alternatives, objectives).
     sets
-        The same of separate sets of shots, shape (alternatives, sets, objectives), for the standard errors of
-        differences.
+        The same for separate sets of shots, shape (alternatives, sets, objectives); their spread gives the standard
+        errors of differences.
     worth
         The smallest difference worth a change, by objective [SI].
     choices
-        Which alternatives may be recommended for the objective asked for; all unless given.
+        Alternatives that may be recommended for the main objective; default all.
     conditions
-        In words: shots, model, hole.
+        Description of shots, model and hole.
     assumed_hole
         Whether the hole is the assumed one.
     at_an_end
-        Which alternatives stand at an end of what was tried, where the best is no optimum.
+        Alternatives at an end of the range tried, so that the true optimum may lie beyond.
     """
 
     purpose: str
@@ -224,13 +223,13 @@ class Advice:
         return known.index(name)
 
     def gain(self, name: str, alternative: int, other: int = 0) -> float:
-        """Return by how much an alternative is better than another by an objective [SI]; worse is negative."""
+        """Return the gain of an alternative over another by an objective [SI]; negative if it is worse."""
         column = self.place(name)
         sign = -self.objectives[column].sign
         return float(sign * (self.values[alternative, column] - self.values[other, column]))
 
     def error(self, name: str, alternative: int, other: int = 0) -> float:
-        """Return the standard error of :meth:`gain`, NaN where there are too few shots to know it."""
+        """Return the standard error of :meth:`gain`; NaN with too few shots."""
         if alternative == other:
             return 0.0
         differences = self.sets[alternative, :, self.place(name)] - self.sets[other, :, self.place(name)]
@@ -241,8 +240,8 @@ class Advice:
     def state(self, name: str, alternative: int, other: int = 0) -> str:
         """Return how an alternative compares with another by an objective.
 
-        "better" and "worse" are differences that are worth a change and statistically clear, "alike" those that are
-        clearly not worth a change, and "not certain" what the shots do not tell.
+        "better" and "worse" mean a statistically clear difference that is worth a change, "alike" one that is clearly
+        not worth a change, and "not certain" that the shots do not decide.
         """
         gain, worth = self.gain(name, alternative, other), self.worth[name]
         margin = CERTAIN * self.error(name, alternative, other)
@@ -257,15 +256,15 @@ class Advice:
     def best(self, name: str) -> int:
         """Return the alternative that an objective alone would choose.
 
-        It is the best of those that are better than the present one by a difference worth a change; where there is
-        none, the one with the best value, which may be the present one.
+        It is the best of those that beat the present one by a difference worth a change; if there is none, the one with
+        the best value, which may be the present one.
         """
         open_to = self._open_to(name)
         better = [place for place in open_to if self.state(name, place) == BETTER]
         return max(better or (0, *open_to), key=lambda place: self.gain(name, place))
 
     def losses(self, name: str, alternative: int) -> dict[str, float]:
-        """Return by how much an alternative is worse by the other objectives where that is worth a change [SI]."""
+        """Return the losses of an alternative by the other objectives that are worth a change [SI]."""
         states = self.states(alternative)
         return {
             each.name: -self.gain(each.name, alternative)
@@ -274,14 +273,14 @@ class Advice:
         }
 
     def _open_to(self, name: str) -> Sequence[int]:
-        """Return which alternatives may be recommended for an objective."""
+        """Return the alternatives that may be recommended for an objective."""
         return range(1, len(self.names)) if self.choices is None or name != self.purpose else self.choices
 
     def recommended(self, name: str | None = None) -> int:
-        """Return the alternative to play by an objective, the one asked for unless named; 0 for the present one.
+        """Return the alternative to play by an objective (default the main one); 0 for the present one.
 
-        The present one stays unless another is better by a difference worth a change. Of several that do not differ
-        from the best, it is the one that is worse in the fewest other objectives, and of these the first.
+        The present one stays unless another is better by a difference worth a change. If several are level with the
+        best, it is the one that loses by the fewest other objectives, and the first of these.
         """
         name = name or self.purpose
         best = self.best(name)
@@ -291,17 +290,17 @@ class Advice:
         return min(level, key=lambda place: list(self.states(place).values()).count(WORSE))
 
     def as_good(self, name: str, alternative: int) -> list[int]:
-        """Return all that are better than the present one and do not differ from an alternative, itself among them."""
+        """Return all that are better than the present one and level with an alternative, including the alternative."""
         return [
             place for place in range(1, len(self.names))
             if self.state(name, place) == BETTER and self.state(name, place, alternative) not in (BETTER, WORSE)
         ]  # fmt: skip
 
     def ranks(self, places: Sequence[int], name: str | None = None) -> dict[int, int]:
-        """Return the rank of alternatives by an objective, 1 for the best; those that do not differ share one.
+        """Return the rank of alternatives by an objective, 1 for the best; ties share a rank.
 
-        The best and all that are not worse than it by a clear difference worth a change are first; of the others the
-        best and all that are not worse than it are next, and so on.
+        The best and all that are not clearly worse than it by a difference worth a change rank first; the best of the
+        others and all that are not clearly worse than it come next, and so on.
         """
         name = name or self.purpose
         left = sorted(places, key=lambda place: -self.gain(name, place))
@@ -314,12 +313,12 @@ class Advice:
 
 
 def adds_nothing(judge: Objective, worth: float, value: float, others: Sequence[float]) -> bool:
-    """Return whether one of other alternatives is as good by an objective [SI] as a further one, or nearly."""
+    """Return whether an alternative's ``value`` of an objective [SI] hardly improves on the others."""
     return any(judge.sign * (other - value) < NEGLIGIBLE * worth for other in others)
 
 
 def is_at_an_end(value: float, limits: tuple[float, float]) -> bool:
-    """Return whether a value is the least or the greatest that was tried, so that the best may lie beyond it."""
+    """Return whether a value is at an end of the range tried, so that the optimum may lie beyond."""
     low, high = limits
     return min(value - low, high - value) < END * (high - low)
 
@@ -328,19 +327,19 @@ _SHORT = {
     "carry": "carry", "total": "total distance", "side_spread": "spread to the side", "ellipse": "ellipse",
     "strokes": "strokes",
 }  # fmt: skip
-_LETTERS = 36
-"""Most letters in a line of the name of an alternative in a picture."""
+_LINE_LENGTH = 36
+"""Maximum number of characters per line of an alternative's name in a picture."""
 WORTHS = Quantity("worth", "1", Reading("1", 1), Reading("1", 1), "gain, in differences worth a change")
 
 
 def short_label(judge: Objective) -> str:
-    """Return what an objective counts, in sentences: "spread to the side"."""
+    """Return an objective's name for use in sentences, such as "spread to the side"."""
     return _SHORT[judge.name]
 
 
 def advice_lead(advice: Advice) -> Iterator[Note]:
-    """Yield what to do in one sentence, what it is for, and what holds under other objectives."""
-    yield _opening(advice)
+    """Yield one sentence on what to do, its purpose, and how it fares by other objectives."""
+    yield _recommendation(advice)
     chosen = advice.recommended()
     states = advice.states(chosen)
     yield note("advice-purpose", meaning=advice.objectives[0].meaning, conditions=advice.conditions)
@@ -356,11 +355,11 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
     elif chosen and all(state in (BETTER, ALIKE) for state in states.values()):
         yield note("advice-holds", best=advice.names[chosen], present=advice.names[0], labels=_labels(advice))
     if len({advice.best(each.name) for each in advice.objectives}) > 1:
-        yield note("advice-by-objective", wishes=[_wish(advice, each) for each in advice.objectives])
+        yield note("advice-by-objective", wishes=[_best_by_objective(advice, each) for each in advice.objectives])
 
 
-def _opening(advice: Advice) -> Note:
-    """Return what to do, in one sentence."""
+def _recommendation(advice: Advice) -> Note:
+    """Return one sentence on what to do."""
     judge, chosen = advice.objectives[0], advice.recommended()
     best = chosen or advice.best(judge.name)
     gain, error = (judge.show(each) for each in (advice.gain(judge.name, best), advice.error(judge.name, best)))
@@ -384,7 +383,7 @@ def _labels(advice: Advice) -> list[str]:
     return [short_label(each) for each in advice.objectives]
 
 
-def _wish(advice: Advice, judge: Objective) -> str:
+def _best_by_objective(advice: Advice, judge: Objective) -> str:
     best = advice.best(judge.name)
     if not best:
         return f"{short_label(judge)}, the {advice.names[0]}"
@@ -400,7 +399,7 @@ def _wish(advice: Advice, judge: Objective) -> str:
 
 
 def losses_in_words(advice: Advice, name: str, alternative: int) -> list[str]:
-    """Return in words what an alternative costs by the other objectives."""
+    """Return what an alternative costs by the other objectives, in words."""
     judges = {each.name: each for each in advice.objectives}
     losses = advice.losses(name, alternative)
     return [
@@ -410,12 +409,12 @@ def losses_in_words(advice: Advice, name: str, alternative: int) -> list[str]:
 
 
 def _amount(judge: Objective, value: float) -> str:
-    """Return a value with its unit in a sentence: "0.0220 strokes"."""
+    """Return a value with its unit for use in a sentence, such as "0.0220 strokes"."""
     return judge.show(value) + (" strokes" if judge.name == "strokes" else "")
 
 
 def advice_notes(advice: Advice) -> Iterator[Note]:
-    """Yield what is to be known about the tables."""
+    """Yield the notes below the tables."""
     sizes = [f"{short_label(each)} {each.show(advice.worth[each.name])}" for each in advice.objectives]
     yield note("advice-worth", sizes=sizes)
     yield note("advice-errors" if advice.sets.std(axis=1).any() else "advice-single-delivery")
@@ -428,19 +427,19 @@ def advice_notes(advice: Advice) -> Iterator[Note]:
 def advice_tables(
     advice: Advice, fields: Sequence[Column] = (), shown: Sequence[int] | None = None
 ) -> tuple[Table, Table, Table]:
-    """Return what to do by objective, the alternatives with all objectives, and what separates them.
+    """Return tables of the advice by objective, the alternatives with all objectives, and their differences.
 
-    ``fields`` are further columns of the alternatives, such as their lofts; ``shown`` are those that people see, None
-    for all.
+    ``fields`` are extra columns of the alternatives, such as their lofts; ``shown`` are the alternatives printed (None:
+    all).
     """
     shown = range(len(advice.names)) if shown is None else shown
-    return _by_objective(advice), _alternatives(advice, fields, shown), _differences(advice, shown)
+    return _objective_table(advice), _alternatives_table(advice, fields, shown), _differences_table(advice, shown)
 
 
-def _by_objective(advice: Advice) -> Table:
-    """Return for each objective which alternative is best by it, by how much, if that is worth a change, and its price.
+def _objective_table(advice: Advice) -> Table:
+    """Return for each objective its best alternative, the gain, whether that is worth a change, and the price.
 
-    They are those of the sentence on what each objective alone would choose.
+    It holds the same values as the sentence on what each objective alone would choose.
     """
     judges = advice.objectives
     kinds = [each.quantity for each in judges]
@@ -461,7 +460,7 @@ def _by_objective(advice: Advice) -> Table:
     return Table("advice", columns, "What each objective alone would choose")
 
 
-def _alternatives(advice: Advice, fields: Sequence[Column], shown: Sequence[int]) -> Table:
+def _alternatives_table(advice: Advice, fields: Sequence[Column], shown: Sequence[int]) -> Table:
     every = range(len(advice.names))
     ranks = advice.ranks(every)
     columns = (
@@ -475,7 +474,7 @@ def _alternatives(advice: Advice, fields: Sequence[Column], shown: Sequence[int]
     return Table("alternatives", columns, title, shown_rows=shown)
 
 
-def _differences(advice: Advice, shown: Sequence[int]) -> Table:
+def _differences_table(advice: Advice, shown: Sequence[int]) -> Table:
     every = range(1, len(advice.names))
     columns = [text("alternative", advice.names[1:])]
     for place, judge in enumerate(advice.objectives):
@@ -492,7 +491,7 @@ def _differences(advice: Advice, shown: Sequence[int]) -> Table:
 
 
 def _verdict(advice: Advice, alternative: int) -> str:
-    """Return in words by which objectives an alternative is better or worse than the present one."""
+    """Return by which objectives an alternative is better or worse than the present one, in words."""
     states = advice.states(alternative)
     by_state: Mapping[str, list[str]] = {
         state: [short_label(each) for each in advice.objectives if states[each.name] == state]
@@ -503,7 +502,7 @@ def _verdict(advice: Advice, alternative: int) -> str:
 
 
 def gains_panel(advice: Advice, rows: int) -> Panel:
-    """Return what the first alternatives gain on the present one by each objective, in differences worth a change."""
+    """Return the gain of the first alternatives over the present one, in multiples of what is worth a change."""
     places = range(1, min(rows, len(advice.names) - 1) + 1)
     marks = [Mark("shade", x0=-1.0, x1=1.0, style=-1), Mark("rule", x=0.0, style=-1)]
     away = 0.6 * (np.arange(len(advice.objectives)) / max(len(advice.objectives) - 1, 1) - 0.5)
@@ -515,7 +514,7 @@ def gains_panel(advice: Advice, rows: int) -> Panel:
             "intervals", gains, np.array(places) - 1 + below, x0=gains - errors, x1=gains + errors, style=style,
             label=f"{short_label(judge)}, {judge.show(worth)}",
         ))  # fmt: skip
-    names = ["\n".join(textwrap.wrap(advice.names[place], _LETTERS)) for place in places]
+    names = ["\n".join(textwrap.wrap(advice.names[place], _LINE_LENGTH)) for place in places]
     return Panel(
         marks, Axis(WORTHS), axis(names=names, reversed=True, limits=(len(places) - 0.4, -0.6)),
         f"Gain on the {advice.names[0]}; within the grey it is not worth a change", legend=True,

@@ -1,4 +1,4 @@
-"""Fittings: parts and settings to choose from, for whom, what is judged, and the clubs they make."""
+"""Fittings: parts and settings to choose from, golfers and objective, and the resulting clubs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from clubface.support.checks import without_warnings
 MOST_COMBINATIONS = 10_000
 
 Samples = list[tuple[dict[str, Floats], float]]
-"""The deliveries of every golfer, and how much he counts."""
+"""Deliveries and weight of every golfer."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,21 +29,21 @@ class Fitting(AdvisedStudy):
     Attributes
     ----------
     title
-        Its name in reports.
+        Name in reports.
     golfers
-        Each with how much he counts; all deliver as with the first club, and hold every club so.
+        Golfers with weights; their deliveries are for the first club and carry over to the others.
     objective
-        What is judged.
+        Name of the main objective.
     clubs, balls
         The parts.
     settings
         Named settings of a head: changes of loft, lie, cg_x, cg_y, cg_z [SI].
     bounds
-        Least and greatest change of the loft and the lie that can be set freely [SI].
+        Range of change of a freely adjustable loft and lie [SI].
     hole, setting, shots, seed
-        As of a study.
+        As for :class:`.DesignStudy`.
     worth
-        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
+        The smallest difference worth a change, by objective [SI]; default ``WORTH``.
     """
 
     objective: str
@@ -80,16 +80,16 @@ class Fitting(AdvisedStudy):
 
     @property
     def judges(self) -> tuple[Objective, ...]:
-        """All objectives that can be computed, those of the advice first."""
+        """All objectives that can be computed, those in the advice first."""
         names = [each.name for each in self.advised]
         return (*self.advised, *(each for each in self.known() if each.name not in names))
 
     def set(self, head: Club, setting: str) -> dict[str, float]:
-        """Return the fields of a head that a setting changes, and its lie [SI]."""
+        """Return the head's fields as changed by a setting, and the change of lie [SI]."""
         return changed(head, self.settings[setting] if setting else {})
 
     def free(self, head: Club, club: Mapping[str, float]) -> dict[str, tuple[float, float]]:
-        """Return least and greatest value of what can be set freely [SI], about a head with fields set."""
+        """Return the range of each freely adjustable field [SI], around a head with the fields ``club``."""
         middle = {name: club.get(name, own_value(head, name)) for name in self.bounds}
         return {name: (middle[name] + low, middle[name] + high) for name, (low, high) in self.bounds.items()}
 
@@ -102,15 +102,15 @@ class Fitting(AdvisedStudy):
         own = replace(self.setting, ball=ball)
         result = []
         for sample, weight in samples:
-            # The golfer delivers his loft with the first club; another head delivers as much more as it has more of it.
+            # Sampled lofts are for the first club; another head changes them by its difference in static loft.
             delivered = sample.get("loft", self.present.loft) + (head.loft - self.present.loft)
             result.append((Landings(head, {**sample, "loft": delivered}, own), weight))
         return result
 
     def landed(self, place: int, changes: Mapping[str, float]) -> list[Floats]:
-        """Return where the shots of every golfer land [m], each of shape (landings, shots).
+        """Return the landings of every golfer's shots [m], each of shape (landings, shots).
 
-        ``place`` is that of a combination, whose setting is among the ``changes``.
+        ``place`` is the index of a combination; ``changes`` include its setting.
         """
         head, ball, _ = self.combinations()[place]
         shots = self.landings(head, ball, self.samples(self.shots, self.seed))
@@ -118,32 +118,32 @@ class Fitting(AdvisedStudy):
 
 
 def changed(head: Club, changes: Mapping[str, float]) -> dict[str, float]:
-    """Return the fields of a head that its changes set, the lie as a change."""
+    """Return the new values of a head's changed fields; the lie remains a change."""
     return {name: change if name == "lie" else getattr(head, name) + change for name, change in changes.items()}
 
 
 def adjusted(head: Club, fields: Mapping[str, float]) -> Club:
-    """Return a head with fields set, but for the lie."""
+    """Return a head with fields set, except the lie."""
     return head.replace(**{name: value for name, value in fields.items() if name != "lie"})
 
 
 SETTINGS = ("loft", "lie", "cg_x", "cg_y", "cg_z")
-"""What a setting of a head may change."""
+"""Fields that a setting of a head may change."""
 WORDS = {
     "loft": ("more loft", "less loft"), "lie": ("more upright", "flatter"),
     "cg_x": ("back", "forward"), "cg_y": ("lower", "higher"),
     "cg_z": ("closer to the heel", "closer to the toe"),
 }  # fmt: skip
-"""What a positive and a negative change of a setting mean; the CG is given by the way from it to the face centre."""
+"""Words for a positive and a negative change; CG coordinates run from the CG to the face centre."""
 
 
 def describe_changes(changes: Mapping[str, float]) -> str:
-    """Write the changes of a setting: "1.0 deg more loft, CG 3.0 mm forward"; nothing where none changes."""
+    """Return the changes of a setting in words, such as "1.0 deg more loft, CG 3.0 mm forward"; empty for none."""
     return ", ".join("CG " * name.startswith("cg") + words for name, words in change_words(changes).items())
 
 
 def change_words(changes: Mapping[str, float]) -> dict[str, str]:
-    """Return each change that counts in words: "1.0 deg more loft" and "3.0 mm forward"."""
+    """Return each visible change in words, such as "1.0 deg more loft" or "3.0 mm forward"."""
     parts = {}
     for name, change in changes.items():
         unit = "deg" if name in ("loft", "lie") else "mm"

@@ -1,4 +1,4 @@
-"""A fitting from start to end: every combination judged on the same shots, what is free adjusted, and the result."""
+"""The complete fitting: every combination is adjusted and evaluated on the same shots; and its result."""
 
 from __future__ import annotations
 
@@ -29,36 +29,36 @@ from clubface.results.table import Column, Table, column, text
 from clubface.shots.tables.writer import csv_lines
 
 STARTS = 3
-"""Starts of a combination's adjustment; it has at most two numbers, loft and lie."""
+"""Solver starts for adjusting a combination, which has at most two variables, loft and lie."""
 SHOWN = 12
-"""Combinations that are printed; files have all."""
+"""Maximum number of combinations printed; files have them all."""
 BARS = 10
-"""Most alternatives that are drawn."""
+"""Maximum number of alternatives drawn."""
 
 
 class Combination(NamedTuple):
-    """One club as it can be put together.
+    """One possible combination of club, ball and setting.
 
     Attributes
     ----------
     club
-        Its name.
+        Name of the club.
     ball
-        The name of the ball.
+        Name of the ball.
     setting
-        The name of the setting of the head, "" where there are none.
+        Name of the head's setting, "" without settings.
     changes
-        What loft, lie and CG are changed by [SI]; adjusted values among them.
+        Changes of loft, lie and CG [SI], including adjusted ones.
     value
-        What it is judged by [SI].
+        Value of the main objective [SI].
     others
-        The other numbers of the shots, by name [SI].
+        Values of the other objectives, by name [SI].
     error
-        Standard error of the difference from the best [SI], 0 for the best itself.
+        Standard error of the difference from the best [SI]; 0 for the best itself.
     place
-        Index of the combination among all of the fitting.
+        Index of the combination in the fitting.
     rank
-        1 for the best; those that do not differ by what is worth a change share one.
+        1 for the best; combinations whose difference is not worth a change share a rank.
     """
 
     club: str
@@ -72,7 +72,7 @@ class Combination(NamedTuple):
     rank: int = 1
 
     def describe(self, *, with_ball: bool = True) -> str:
-        """Return it in words: "driver with the ball modern, the setting "back", 1.0 deg more loft"."""
+        """Return a description such as "driver with the ball modern, the setting "back", 1.0 deg more loft"."""
         parts = [f"{self.club} with the ball {self.ball}" if with_ball else self.club]
         parts += [f'the setting "{self.setting}"'] if self.setting else []
         changed = describe_changes(self.changes)
@@ -80,16 +80,16 @@ class Combination(NamedTuple):
 
 
 class Effect(NamedTuple):
-    """How much one kind of part matters: the most that it changes an objective, all else being equal.
+    """How much one kind of part matters: its largest effect on an objective, all else being equal.
 
     Attributes
     ----------
     part
         "club", "ball" or "setting".
     objective
-        The name of an objective.
+        Name of an objective.
     difference, error
-        The greatest difference between two of the parts, and its standard error [SI].
+        The largest difference between two parts, and its standard error [SI].
     matters
         Whether the difference is worth a change and statistically clear.
     """
@@ -102,20 +102,20 @@ class Effect(NamedTuple):
 
 
 class Fitted(list[Combination], Described):
-    """The combinations of a fitting, those that share the best rank first.
+    """The combinations of a fitting, sorted by rank.
 
     Attributes
     ----------
     fitting
-        What was chosen among.
+        The fitting.
     advice
-        The present club, all combinations, and those that are best by other objectives.
+        Advice on the present club, all combinations, and the best for other objectives.
     effects
         How much clubs, balls and settings matter, by objective.
     alternatives
         The clubs of the advice after the present one, in its order.
     others
-        How many of the last alternatives of the advice were set for other objectives.
+        Number of alternatives, at the end of the advice, adjusted for other objectives.
     """
 
     def __init__(
@@ -133,7 +133,7 @@ class Fitted(list[Combination], Described):
 
     @property
     def leading(self) -> Combination | None:
-        """The club that the advice opens with: to change to, or to consider where none is; None for the present one."""
+        """The club recommended or, if none is, the best candidate; None for the present club."""
         place = self.advice.recommended() or self.advice.best(self.advice.purpose)
         return self.alternatives[place - 1] if place else None
 
@@ -147,29 +147,27 @@ class Fitted(list[Combination], Described):
             tables.append(_effects_table(self))
         return Result(
             kind="fitting", title=fitting.title, tables=tuple(tables),
-            lead=(*advising.advice_lead(advice), *_parts(self)), notes=(*_notes(self), *advising.advice_notes(advice)),
+            lead=(*advising.advice_lead(advice), *_part_notes(self)),
+            notes=(*_notes(self), *advising.advice_notes(advice)),
             provenance=study_provenance(fitting, fitting.clubs, fitting.balls),
-            # Two, so that a printed page takes the first beneath the advice.
+            # Two pictures: a printed page puts the first below the advice.
             draw=lambda: [fitting_picture(self), *([fitting_landings_picture(self)] if count > 1 else [])],
         )  # fmt: skip
 
 
-class _Judged(NamedTuple):
-    """A club as it is set for one objective: what is changed [SI], and all objectives over all shots.
-
-    Those of the advice are also judged in sets of shots.
-    """
+class _AdjustedClub(NamedTuple):
+    """A club adjusted for one objective: its changes [SI], all objectives, and those of the advice in sets of shots."""
 
     changes: dict[str, float]
     values: list[float]
     sets: list[list[float]]
 
 
-class _Tried(NamedTuple):
-    """What is kept of a combination: its ball, and how it is judged as it is set for each objective."""
+class _CombinationResult(NamedTuple):
+    """The stored results of a combination: its ball, and its values when adjusted for each objective."""
 
     ball: str
-    judged: dict[str, _Judged]
+    judged: dict[str, _AdjustedClub]
 
 
 def fit(
@@ -179,34 +177,34 @@ def fit(
     resume: bool = False,
     progress: Callable[[int, int], object] | None = None,
 ) -> Fitted:
-    """Return all combinations, the best first, and what the golfer should do.
+    """Return all combinations, the best first, and advice for the golfer.
 
-    A setting changes the loft of a head, and with it the loft at impact, the lie at impact, and the CG; a loft that is
-    set by turning the head is taken to leave the face angle alone, as a golfer does who squares the face again.
-    Combinations that do not differ by what is worth a change share a rank, and stand in the order of the parts.
+    A setting changes the head's loft (and with it the loft at impact), the lie at impact, and the CG. Turning the head
+    to change loft is assumed to leave the face angle unchanged, because golfers square the face again. Combinations
+    whose difference is not worth a change share a rank and keep the order of the parts.
 
     Parameters
     ----------
     subject
-        The parts, for whom, and what is judged; or its file.
+        The fitting, or its file.
     output
-        The CSV file to which all combinations are written. Next to it, in a folder, each is kept as soon as it is
-        judged, until the file is written; without it, nothing is.
+        CSV file for all combinations. Finished ones are kept in a folder next to it until the file is written; without
+        an output nothing is kept.
     resume
-        Whether an interrupted run of another fitting is an error; otherwise it is started over. An interrupted run of
-        the same fitting goes on in either case.
+        Whether finding the interrupted run of a different fitting is an error; otherwise it starts over. An interrupted
+        run of the same fitting always resumes.
     progress
-        Called with the number of combinations done and that of all.
+        Called with the number of combinations done and the total.
 
     Raises
     ------
     InputError
-        The file is none of a fitting, or some club can play no shot of the golfers.
+        The file does not describe a fitting, or some club cannot play any of the golfers' shots.
     """
     subject = fitting(subject)
     depends_on = {"study": content(subject), "order of the settings": list(subject.settings)}
     with store_for(output, depends_on, resume=resume) as store:
-        fitted = _fitted(subject, _all(subject, store, progress))
+        fitted = _rank(subject, _run_combinations(subject, store, progress))
         if output is not None:
             table = combinations_table(subject, fitted)
             store.write_result(Path(output), lambda file: file.write(csv_lines(table.csv_rows(), ",")))
@@ -214,14 +212,14 @@ def fit(
     return fitted
 
 
-def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
-    """Return ranked combinations with the advice on them."""
+def _rank(fitting: Fitting, tried: list[_CombinationResult]) -> Fitted:
+    """Return the ranked combinations with advice."""
     purpose, count = fitting.objective, range(len(tried))
     own = [each.judged[purpose] for each in tried]
     same = next((place for place in count if _is_present(fitting, place, own[place])), None)
     if same is None:
         samples = fitting.samples(fitting.shots, fitting.seed)
-        present = _judged(fitting, fitting.landings(*fitting.combinations()[0][:2], samples), {}, {})
+        present = _judge_club(fitting, fitting.landings(*fitting.combinations()[0][:2], samples), {}, {})
     else:
         present = own[same]
     rows = {place: row for row, place in enumerate((place for place in count if place != same), 1)}
@@ -255,27 +253,27 @@ def _fitted(fitting: Fitting, tried: list[_Tried]) -> Fitted:
     return Fitted(ranked, fitting, advice, _effects(fitting, tried), alternatives, len(chosen) - combinations)
 
 
-def _combination(fitting: Fitting, ball: str, place: int, judged: _Judged) -> Combination:
+def _combination(fitting: Fitting, ball: str, place: int, judged: _AdjustedClub) -> Combination:
     head, _, setting = fitting.combinations()[place]
     values = {each.name: value for each, value in zip(fitting.judges, judged.values, strict=True)}
     value = values.pop(fitting.objective)
     return Combination(head.name, ball, setting, judged.changes, value, values, 0.0, place)
 
 
-def _is_present(fitting: Fitting, place: int, judged: _Judged) -> bool:
-    """Return whether a combination is the first club with the first ball, nothing changed that is seen."""
+def _is_present(fitting: Fitting, place: int, judged: _AdjustedClub) -> bool:
+    """Return whether a combination is the first club with the first ball and no visible change."""
     head, ball, _ = fitting.combinations()[place]
     return head is fitting.clubs[0] and ball is fitting.balls[0] and not describe_changes(judged.changes)
 
 
-def _advice(fitting: Fitting, judged: list[_Judged], names: Sequence[str] = ()) -> Advice:
+def _advice(fitting: Fitting, judged: list[_AdjustedClub], names: Sequence[str] = ()) -> Advice:
     values = np.array([each.values for each in judged])[:, : len(fitting.advised)]
     sets = np.array([each.sets for each in judged])
     return fitting.advice(names or [""] * len(judged), values, sets, fitting.shots)
 
 
-def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
-    """Return how much clubs, balls and settings matter, each combination as it is set for the objective."""
+def _effects(fitting: Fitting, tried: list[_CombinationResult]) -> tuple[Effect, ...]:
+    """Return how much clubs, balls and settings matter, with each combination adjusted for the objective."""
     combinations = zip(fitting.combinations(), tried, strict=True)
     names = [(head.name, each.ball, setting) for (head, _, setting), each in combinations]
     effects = []
@@ -300,37 +298,41 @@ def _effects(fitting: Fitting, tried: list[_Tried]) -> tuple[Effect, ...]:
     return tuple(effects)
 
 
-def _all(fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None) -> list[_Tried]:
+def _run_combinations(
+    fitting: Fitting, store: Finished, progress: Callable[[int, int], object] | None
+) -> list[_CombinationResult]:
     combinations, samples = fitting.combinations(), fitting.samples(fitting.shots, fitting.seed)
 
     def compute(place: int) -> list[Any]:
-        return list(_tried(fitting, *combinations[place], samples))
+        return list(_evaluate(fitting, *combinations[place], samples))
 
     job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
     kept = run(job, store=store, progress=progress).values()
-    return [_Tried(ball, {name: _Judged(*each) for name, each in judged.items()}) for ball, judged in kept]
+    return [
+        _CombinationResult(ball, {name: _AdjustedClub(*each) for name, each in judged.items()}) for ball, judged in kept
+    ]
 
 
-def _tried(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Samples) -> _Tried:
-    """Judge one combination, after what can be set freely is set as well as it can be for each objective."""
+def _evaluate(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Samples) -> _CombinationResult:
+    """Evaluate one combination after adjusting its free settings for each objective."""
     golfers = fitting.landings(head, ball, samples)
     changes = dict(fitting.settings[setting]) if setting else {}
     club = fitting.set(head, setting)
     judged = {}
     for judge in fitting.advised if fitting.bounds else fitting.advised[:1]:
-        tuned = _tuned(fitting, judge, head, ball, setting, samples, golfers) if fitting.bounds else {}
+        tuned = _tune(fitting, judge, head, ball, setting, samples, golfers) if fitting.bounds else {}
         moved = {name: tuned[name] - own_value(head, name) for name in fitting.bounds}
-        result = _judged(fitting, golfers, {**changes, **moved}, {**club, **tuned})
+        result = _judge_club(fitting, golfers, {**changes, **moved}, {**club, **tuned})
         if not np.isfinite(result.values).all():
-            raise _impossible(head, setting)
+            raise _no_shot_error(head, setting)
         judged[judge.name] = result
-    return _Tried(golfers[0][0].ball.name, judged)
+    return _CombinationResult(golfers[0][0].ball.name, judged)
 
 
-def _tuned(
+def _tune(
     fitting: Fitting, judge: Objective, head: Club, ball: Ball | None, setting: str, samples: Samples, golfers: Any
 ) -> dict[str, float]:
-    """Return what can be set freely as it is best for an objective: from several starts on few shots, then on all."""
+    """Return the best free settings for an objective: several starts on few shots, then the best on all shots."""
     club = fitting.set(head, setting)
     held = {name: value for name, value in club.items() if name not in fitting.bounds}
     variables = Variables(base=adjusted(head, club), bounds=fitting.free(head, club), held=held)
@@ -340,20 +342,20 @@ def _tuned(
     if solution is not None and fitting.shots > COARSE:
         solution = best([solve(Problem(variables, golfers, judge, ()), solution.point)])
     if solution is None:
-        raise _impossible(head, setting)
+        raise _no_shot_error(head, setting)
     return {name: value for name, value in variables.club(solution.point).items() if name not in held}
 
 
-def _judged(
+def _judge_club(
     fitting: Fitting, golfers: Sequence[tuple[Landings, float]], changes: Mapping[str, float], club: Mapping[str, float]
-) -> _Judged:
-    """Return how a club is judged by all objectives, over all shots and in sets of them."""
+) -> _AdjustedClub:
+    """Return all objectives of a club, over all shots and in sets of shots."""
     landed = [(each, weight, each.of(club)) for each, weight in golfers]
     whole = judge_sets(fitting.judges, landed, 1)[0]
-    return _Judged(dict(changes), whole.tolist(), judge_sets(fitting.advised, landed).tolist())
+    return _AdjustedClub(dict(changes), whole.tolist(), judge_sets(fitting.advised, landed).tolist())
 
 
-def _impossible(head: Club, setting: str) -> InputError:
+def _no_shot_error(head: Club, setting: str) -> InputError:
     setting_words = f" with the setting {setting}" if setting else ""
     return InputError(
         "fit", Wording(f"without result for {head.name}{setting_words}"), "one whose shots can all be computed"
@@ -397,7 +399,7 @@ def _effects_table(fitted: Fitted) -> Table:
     return Table("effects", columns, "Which parts matter, all else being equal")
 
 
-def _parts(fitted: Fitted) -> Iterator[Note]:
+def _part_notes(fitted: Fitted) -> Iterator[Note]:
     parts = {each.part: [] for each in fitted.effects}
     for each in fitted.effects:
         if each.matters:
@@ -425,7 +427,7 @@ def _notes(fitted: Fitted) -> Iterator[Note]:
 
 
 def fitting_picture(fitted: Fitted) -> Picture:
-    """Return what each alternative gains on the present club; the landings with it where there is no other."""
+    """Return the gains of the alternatives over the present club, or its landings if there are no alternatives."""
     advice = fitted.advice
     if len(advice.names) == 1:
         return fitting_landings_picture(fitted)
@@ -435,7 +437,7 @@ def fitting_picture(fitted: Fitted) -> Picture:
 
 
 def fitting_landings_picture(fitted: Fitted) -> Picture:
-    """Return where shots land with the present club and with the one that the advice opens with."""
+    """Return the landings with the present club and with the leading alternative."""
     fitting, leading = fitted.fitting, fitted.leading
     clubs, caption = {"present": fitting.landed(0, {})}, "Landings with the present club, which is the best one"
     if leading is not None:

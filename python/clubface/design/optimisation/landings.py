@@ -1,7 +1,7 @@
-"""Where shots land with a club that changes, and the numbers it is judged by, with derivatives.
+"""Landings of shots with a variable club, and the objectives computed from them, with derivatives.
 
-Launch and flight are differentiated by dual numbers in the core, all shots at once, and joined by the chain rule. The
-shots are the same for every club, so that a difference between two clubs is one between clubs and not between samples.
+The core differentiates launch and flight with dual numbers for all shots at once; the chain rule joins them. Every club
+hits the same shots, so differences between clubs are free of sampling noise.
 """
 
 from __future__ import annotations
@@ -31,21 +31,21 @@ if TYPE_CHECKING:
 
 
 SPEED_EXPONENT = 0.18
-"""Clubhead speed falls as mass to this power: 26 g more, from 174 to 200 g, cost golfers of some 110 mph about 2.7 mph
-(MacKenzie, Ryan and Rice, 2015)."""
+"""Exponent with which clubhead speed falls with head mass: 26 g more, from 174 to 200 g, cost golfers with about 110
+mph some 2.7 mph (MacKenzie, Ryan and Rice, 2015)."""
 FACE = ("loft", "bulge", "roll", "characteristic_time")
 FREE = (*MASS_PROPERTIES, *FACE, "lie")
-"""What may change: fields of a club, and its lie as a change of the lie at impact."""
+"""Variable fields of a club; the lie is a change of the lie at impact."""
 LANDING = ("carry", "side", "total", "total_side")
-"""What is known of a shot: where it comes down, and where it comes to rest; the rows of all landings."""
+"""Rows of all landings: where a shot comes down, and where it comes to rest."""
 LAUNCH = (*VELOCITY, *SPIN)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Setting:
-    """What is the same for all clubs, as for :func:`clubface.impact` and :func:`clubface.fly`; 0 threads are all cores.
+    """Options common to all clubs, as for :func:`clubface.impact` and :func:`clubface.fly`; 0 threads means all cores.
 
-    Clubhead speed is proportional to the mass of the head to minus the power ``speed_exponent``.
+    Clubhead speed is proportional to head mass to the power of minus ``speed_exponent``.
     """
 
     model: str
@@ -62,32 +62,32 @@ DEFAULT_SETTING = Setting(model=DEFAULT_MODEL)
 
 
 def own_value(club: Club, field: str) -> float:
-    """Return the value of a field that may change [SI]; the lie is a change, and 0."""
+    """Return a club's value of a variable field [SI]; 0 for the lie, which is a change."""
     return 0.0 if field == "lie" else getattr(club, field)
 
 
 class Slopes:
-    """Derivatives of the landings by fields of the club, kept in the two factors of the chain rule."""
+    """Derivatives of the landings with respect to club fields, as the two factors of the chain rule."""
 
     def __init__(self, flight: Floats, launch: Floats) -> None:
         self._flight, self._launch = flight, launch
 
     def gradient(self, weights: Floats) -> Floats:
-        """Return the derivatives of the sum of weights, shape (landings, shots), times landings, shape (variables,)."""
+        """Return the derivatives, shape (variables,), of landings summed with ``weights``, shape (landings, shots)."""
         by_launch = np.einsum("on,oin->in", weights, self._flight)
         return np.einsum("in,ijn->j", by_launch, self._launch)
 
     def each(self) -> Floats:
-        """Return the derivatives of every landing, shape (landings, variables, shots)."""
+        """Return the derivatives of each landing, shape (landings, variables, shots)."""
         return np.einsum("oin,ijn->ojn", self._flight, self._launch)
 
 
 class Landings:
-    """The shots of one golfer with clubs that differ from a base in some fields.
+    """The shots of one golfer with clubs that differ from a base club in some fields.
 
-    The golfer delivers the base club as sampled: ``deliveries`` are values by name [SI], each of shape (shots,);
-    without a loft it is the club's. Of the shots, ``count`` are computed; ``kept`` are their indices, and ``missed``
-    is how many miss the face of the base club and are left out.
+    ``deliveries`` of the base club are values by name [SI], each of shape (shots,); the loft defaults to the club's.
+    Shots that miss the face of the base club are left out: ``missed`` is their number, ``count`` the number of the
+    others and ``kept`` the indices of the others.
     """
 
     def __init__(self, base: Club, deliveries: Mapping[str, Any], setting: Setting) -> None:
@@ -113,7 +113,7 @@ class Landings:
         self.ball = equipment.ball
 
     def _inputs(self, club: Mapping[str, float]) -> list[Any]:
-        """Return the columns of the impacts with a club that differs from the base by the fields given."""
+        """Return the impact inputs, by column, for the base club with changed fields."""
         columns, place = list(self._columns), input_columns()
         for name, value in club.items():
             if name == "loft":
@@ -131,7 +131,7 @@ class Landings:
         return columns
 
     def _flights(self, launches: Floats, columns: list[Any]) -> list[Any]:
-        """Return the columns of the flights of launches, rows in the order of ``LAUNCH``."""
+        """Return the flight inputs, by column, for launches with rows in the order of ``LAUNCH``."""
         place = input_columns()
         given: dict[str, Any] = {name: each.default for name, each in flight_inputs().items()}
         given |= {name: columns[place[name]] for name in BALL}
@@ -140,10 +140,7 @@ class Landings:
         return list(given.values())
 
     def of(self, club: Mapping[str, float]) -> Floats:
-        """Return the landings [m] with a club that differs by the fields given, shape (landings, shots).
-
-        All are NaN if there is no such club.
-        """
+        """Return the landings [m] with changed club fields, shape (landings, shots); all NaN if no such club exists."""
         columns = self._inputs(club)
         result, _ = core.impact(self.setting.model, columns, self._own, self.count, None, self.setting.threads)
         names = list(outputs())
@@ -154,16 +151,16 @@ class Landings:
         return flown[[list(flight_outputs()).index(name) for name in LANDING]]
 
     def split(self, landed: Floats, sets: int) -> list[Floats]:
-        """Return landings in sets of deliveries that follow each other, the same deliveries whatever the club."""
+        """Return the landings of consecutive sets of deliveries, which are the same for every club."""
         ends = np.linspace(0, self.count + self.missed, sets + 1).round()[1:-1]
         return np.split(landed, np.searchsorted(self.kept, ends), axis=1)
 
     def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[Floats, Slopes]:
-        """Return the landings of :meth:`of`, and their derivatives by fields of the club."""
+        """Return the landings as :meth:`of` does, and their derivatives with respect to club fields."""
         columns, place = self._inputs(club), input_columns()
         wanted: dict[str, list[tuple[int, Any]]] = {}
         for name in variables:
-            wanted[name] = [(place[each], factor) for each, factor in self._driven(name, club, columns)]
+            wanted[name] = [(place[each], factor) for each, factor in self._driven_inputs(name, club, columns)]
         flat = [column for each in wanted.values() for column, _ in each]
         names = list(outputs())
         result, _ = core.sensitivities(
@@ -184,8 +181,8 @@ class Landings:
         flown = flown.reshape(len(LANDING), 1 + len(LAUNCH), self.count)
         return flown[:, 0], Slopes(flown[:, 1:], launch)
 
-    def _driven(self, name: str, club: Mapping[str, float], columns: list[Any]) -> list[tuple[str, Any]]:
-        """Return the inputs of an impact that a field of the club changes, each with its derivative."""
+    def _driven_inputs(self, name: str, club: Mapping[str, float], columns: list[Any]) -> list[tuple[str, Any]]:
+        """Return the impact inputs that a club field changes, with their derivatives."""
         if name == "loft":
             return [("loft", 1.0), ("static_loft", 1.0)]
         if name == "mass":
@@ -196,21 +193,22 @@ class Landings:
 
 
 SHARE = 0.9
-"""Share of normally distributed shots that the landing ellipse holds."""
+"""Share of normally distributed shots inside the landing ellipse."""
 
 FINE, ROUGH = 1e-8, 1e-6
-"""Precisions: of what is smooth, but for 1e-9 that the steps of flights leave in a mean, and of expected strokes, which
-have kinks in distance and where a single ball begins to slide as it bounces."""
+"""Relative precision of smooth objectives, apart from noise of 1e-9 from flight steps, and of those with kinks: strokes
+are piecewise linear in distance, and a bouncing ball may begin to slide."""
 
 Judged = tuple[float, "Floats"]
-"""A value, and its derivatives by every landing, of the shape of the landings."""
+"""A value and its derivatives with respect to every landing, in the shape of the landings."""
 
 
 class Objective(NamedTuple):
-    """One way to judge landings [m], whose rows are those of ``LANDING``.
+    """A quantity to optimise, computed from landings [m] with the rows ``LANDING``.
 
-    ``sign`` is -1 if more is better and +1 if less is; ``judge`` gives the value and its derivatives by every landing;
-    ``one_shot`` says whether a single shot has it, and ``precision`` to which part of its value it is made best.
+    ``sign`` is -1 if more is better and +1 if less is; ``judge`` returns the value and its derivatives with respect to
+    every landing; ``one_shot`` says whether it is defined for a single shot, and ``precision`` is the relative
+    precision of its optimum.
     """
 
     name: str
@@ -223,23 +221,23 @@ class Objective(NamedTuple):
 
     @property
     def quantity(self) -> Quantity:
-        """What it is for tables and pictures."""
+        """Quantity for tables and pictures."""
         si = units.SI_UNITS[units.unit(self.unit).dimension]
         digits = {"1": 4, "m2": 0}.get(self.unit, 2)
         label = _HEADINGS.get(self.name, self.name)
         return Quantity(self.name, si, Reading(si, digits), Reading(self.unit, digits), label, meaning=self.meaning)
 
     def show(self, value: float) -> str:
-        """Return a value with its unit as people read it."""
+        """Return a value as text with its unit."""
         return format_value(value, self.quantity)
 
 
 _HEADINGS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
-"""Headings of objectives whose names are no words."""
+"""Headings of objectives whose names are not readable."""
 
 
 def _mean_of(row: int) -> Callable[[Floats], Judged]:
-    """Return what judges by the mean of a row of ``LANDING``."""
+    """Return the judge of the mean of a row of ``LANDING``."""
 
     def judge(landed: Floats) -> Judged:
         weights = np.zeros_like(landed)
@@ -250,7 +248,7 @@ def _mean_of(row: int) -> Callable[[Floats], Judged]:
 
 
 def side_spread(landed: Floats) -> Judged:
-    """Judge by the standard deviation of the side [m], 0 for a single shot."""
+    """Return the standard deviation of the side [m] with derivatives; 0 for a single shot."""
     weights, deviation = np.zeros_like(landed), landed[1] - landed[1].mean()
     spread = math.sqrt(float(np.mean(deviation**2)))
     if spread > 0.0:
@@ -259,10 +257,10 @@ def side_spread(landed: Floats) -> Judged:
 
 
 def ellipse(landed: Floats) -> Judged:
-    """Judge by the area [m2] of the ellipse that holds ``SHARE`` of shots with this mean and covariance.
+    """Return the area [m2], with derivatives, of the ellipse containing ``SHARE`` of normally distributed shots.
 
-    With the covariance C of the distance down the target line and of the side it is pi q sqrt(det C), where q is the
-    quantile of chi squared with two degrees of freedom, -2 log(1 - SHARE).
+    For the covariance C of distance along the target line and side, it is pi q sqrt(det C), where q is the quantile of
+    chi squared with two degrees of freedom, -2 log(1 - SHARE).
     """
     down = np.sqrt(np.maximum(landed[0] ** 2 - landed[1] ** 2, 1e-12))
     around = np.array([down - down.mean(), landed[1] - landed[1].mean()])
@@ -288,24 +286,24 @@ OBJECTIVES = {
         Objective("ellipse", f"area of the ellipse of {SHARE:.0%} of the landings", "m2", 1.0, ellipse, False),
     )
 }
-"""The ways to judge that need nothing but landings."""
+"""Objectives that need only landings."""
 JUDGED = {**{name: each.unit for name, each in OBJECTIVES.items()}, "strokes": "1"}
-"""The unit of every objective."""
+"""Unit of every objective."""
 
 
 EDGE = 4.0
-"""Width [m] over which one lie turns into another, so that expected strokes have derivatives; assumed."""
+"""Width [m] of the transition between two lies, so that expected strokes are differentiable; assumed."""
 _STEP = 1e-3
-"""Half the difference [m] by which expected strokes, straight lines between published distances, are differentiated."""
+"""Step [m] of the central differences of expected strokes, which are piecewise linear in distance."""
 
 
 def strokes(hole: Hole) -> Objective:
-    """Return the objective of the strokes expected on a hole after the shot, by where balls come to rest."""
+    """Return the objective of the strokes expected after the shot, from where balls come to rest on a hole."""
 
     def judge(landed: Floats) -> Judged:
         total, side = landed[2], landed[3]
         ahead = np.sqrt(np.maximum(total**2 - side**2, 1e-12))
-        value, by_ahead, by_side = _after(hole, ahead, side)
+        value, by_ahead, by_side = _strokes_with_derivatives(hole, ahead, side)
         weights = np.zeros_like(landed)
         weights[2] = by_ahead * total / ahead
         weights[3] = by_side - by_ahead * side / ahead
@@ -315,16 +313,16 @@ def strokes(hole: Hole) -> Objective:
     return Objective("strokes", meaning, "1", 1.0, judge, True, ROUGH)
 
 
-def _after(hole: Hole, ahead: Floats, side: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return strokes after balls have come to rest, and their derivatives by the place.
+def _strokes_with_derivatives(hole: Hole, ahead: Floats, side: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return expected strokes from where balls lie, and their derivatives with respect to position.
 
-    They are those of ``Hole.after``, but for a band of ``EDGE`` where a ball lies partly in either of two lies.
+    They equal ``Hole.after`` except in a band of width ``EDGE`` between two lies, where they are blended.
     """
     off, left = np.abs(side), np.maximum(np.hypot(hole.length - ahead, side), 1e-6)
-    rough, by_rough = _step(off - 0.5 * hole.fairway)
-    trees, by_trees = _step(off - 0.5 * hole.fairway - hole.rough)
-    away, by_away = _step(left - hole.green)
-    lies = {name: _lie(name, left) for name in ("fairway", "rough", "recovery", "green")}
+    rough, by_rough = _smooth_step(off - 0.5 * hole.fairway)
+    trees, by_trees = _smooth_step(off - 0.5 * hole.fairway - hole.rough)
+    away, by_away = _smooth_step(left - hole.green)
+    lies = {name: _strokes_from_lie(name, left) for name in ("fairway", "rough", "recovery", "green")}
     (fair, fair_left), (deep, deep_left), (wild, wild_left), (putt, putt_left) = lies.values()
     off_green = fair + rough * (deep - fair) + trees * (wild - deep)
     value = putt + away * (off_green - putt)
@@ -335,24 +333,24 @@ def _after(hole: Hole, ahead: Floats, side: Floats) -> tuple[Floats, Floats, Flo
     return value, -by_left * (hole.length - ahead) / left, by_left * side / left + by_off * np.sign(side)
 
 
-def _step(beyond: Floats) -> tuple[Floats, Floats]:
-    """Return how far a ball is across an edge, 0 to 1 without a corner, and the derivative."""
+def _smooth_step(beyond: Floats) -> tuple[Floats, Floats]:
+    """Return the smooth step from 0 to 1 across an edge, and its derivative."""
     part = np.clip(beyond / EDGE + 0.5, 0.0, 1.0)
     return part**2 * (3.0 - 2.0 * part), 6.0 * part * (1.0 - part) / EDGE
 
 
-def _lie(name: str, left: Floats) -> tuple[Floats, Floats]:
+def _strokes_from_lie(name: str, left: Floats) -> tuple[Floats, Floats]:
     above, below = expected(name, left + _STEP), expected(name, np.maximum(left - _STEP, 0.0))
     return 0.5 * (above + below), (above - below) / (2.0 * _STEP)
 
 
 def objectives(hole: Hole | None) -> tuple[Objective, ...]:
-    """Return all objectives that can be computed: expected strokes take a hole."""
+    """Return all objectives that can be computed; strokes need a hole."""
     return (*OBJECTIVES.values(), *(() if hole is None else (strokes(hole),)))
 
 
 def objective(name: str, hole: Hole | None = None) -> Objective:
-    """Return an objective by its name."""
+    """Return an objective by name."""
     if name == "strokes" and hole is None:
         raise InputError("hole", None, 'give [hole] with its length, as in length = "400 yd", for expected strokes')
     known = {each.name: each for each in objectives(hole)}

@@ -1,4 +1,4 @@
-"""What an optimisation found: the club, what it is judged by on fresh shots, every limit; and its result."""
+"""The result of an optimisation: the club, its objectives on fresh shots, every limit; tables and pictures."""
 
 from __future__ import annotations
 
@@ -33,34 +33,34 @@ from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
-FEW_FIELDS = 2
-"""Most fields by whose values a club is named."""
+MOST_NAMED_FIELDS = 2
+"""Maximum number of fields in a club's name."""
 ACTIVE = 1e-4
-"""A margin, as a part of the limit or of the range, below which a limit is what stops the optimum."""
+"""Relative margin below which a limit counts as active."""
 CLUBS = ("start", "nominal", "optimum")
-"""The clubs that every optimisation compares."""
-ONE_PLACE = 2e-4
-"""Distance [m] within which point masses are shown as one."""
-LEAST_SHOWN = 5e-5
-"""Point masses below this are not printed [kg]."""
+"""Clubs compared by every optimisation."""
+MERGE_DISTANCE = 2e-4
+"""Distance [m] within which point masses are merged in the table."""
+LEAST_PRINTED_MASS = 5e-5
+"""Smallest point mass printed [kg]."""
 DRAWN_POINTS = 400
-"""Shots of a golfer that are drawn."""
+"""Maximum number of shots drawn per club."""
 
 
 @dataclass(frozen=True)
 class Fresh:
-    """Clubs judged on shots that no solver has seen.
+    """Clubs evaluated on shots that were not used in the optimisation.
 
     Attributes
     ----------
     shots
-        How many.
+        Number of shots.
     clubs
-        "start", "nominal" and "optimum", then the name of every objective for which there is a best club of its own.
+        "start", "nominal" and "optimum", then the name of every objective with a best club of its own.
     objectives
-        Names of what they are judged by.
+        Names of the objectives.
     sets
-        Values of independent sets of shots [SI], shape (sets, clubs, objectives).
+        Values for independent sets of shots [SI], shape (sets, clubs, objectives).
     """
 
     shots: int
@@ -70,15 +70,15 @@ class Fresh:
 
     @property
     def values(self) -> Floats:
-        """Values over all sets [SI], shape (clubs, objectives)."""
+        """Mean values over all sets [SI], shape (clubs, objectives)."""
         return self.sets.mean(axis=0)
 
     def value(self, club: str, objective: str) -> float:
-        """Return what a club is judged by."""
+        """Return a club's value of an objective [SI]."""
         return float(self.values[self.clubs.index(club), self.objectives.index(objective)])
 
     def error(self, club: str, objective: str) -> float:
-        """Return the standard error of its difference from the optimum."""
+        """Return the standard error of a club's difference from the optimum [SI]."""
         column = self.sets[:, :, self.objectives.index(objective)]
         differences = column[:, self.clubs.index(club)] - column[:, self.clubs.index("optimum")]
         return float(differences.std(ddof=1) / np.sqrt(len(differences)))
@@ -86,7 +86,7 @@ class Fresh:
 
 @dataclass(frozen=True)
 class FrontPoint:
-    """A club on the front between two objectives.
+    """A club on the Pareto front between two objectives.
 
     Attributes
     ----------
@@ -102,18 +102,18 @@ class FrontPoint:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the optimum has of a limit.
+    """How the optimum meets one limit.
 
     Attributes
     ----------
     limit
-        The limit in words.
+        Description of the limit.
     quantity
-        What is limited.
+        The limited quantity.
     value, least, most
-        The optimum and what is allowed [SI]; infinite where there is no limit, NaN where the value is not known.
+        The optimum's value and the allowed range [SI]; infinite for no limit, NaN for an unknown value.
     margin
-        What is left, as a part of the limit; below 0 it is broken; NaN where it is not known.
+        Margin relative to the limit or the range; negative if the limit is broken, NaN if unknown.
     """
 
     limit: str
@@ -140,27 +140,27 @@ class Optimum(Described):
     Attributes
     ----------
     study
-        What was asked.
+        The study.
     club
-        The fields that changed [SI].
+        The changed fields [SI].
     nominal
-        Those of the club that is best for the mean delivery.
+        The same fields of the club that is best for the mean delivery [SI].
     starts, alike
-        Starts of the solver, and how many of them are as good as the best.
+        Number of solver starts, and how many end as good as the best.
     steps
-        Steps of the solver on all shots.
+        Solver steps on all shots.
     shots, missed
-        Shots that were computed, and those that missed the face.
+        Number of shots computed, and of shots that missed the face.
     judged
-        The objective, and others that limit it, on the shots that were solved on [SI].
+        The objective, and limited objectives, on the shots used in the optimisation [SI].
     fresh
-        What start, nominal optimum and optimum are judged by on fresh shots.
+        Start, nominal optimum and optimum evaluated on fresh shots.
     rivals
-        The fields of the clubs that are best for other objectives, within the same limits, by objective [SI].
+        Fields of the best clubs for other objectives within the same limits, by objective [SI].
     front
-        Clubs between two objectives; empty for one.
+        The Pareto front between two objectives; empty for one.
     message
-        What the solver said at its end.
+        The solver's final message.
     """
 
     study: DesignStudy
@@ -193,20 +193,20 @@ class Optimum(Described):
 
     @cached_property
     def compared(self) -> dict[str, str]:
-        """The clubs of the advice, as :attr:`fresh` names them, by what they are in words; the start comes first."""
+        """Names in :attr:`fresh` of the clubs in the advice, by their descriptions; the start comes first."""
         study = self.study
-        clubs = {f"present {study.club.name}": "start", self._words("optimum"): "optimum"}
+        clubs = {f"present {study.club.name}": "start", self._describe("optimum"): "optimum"}
         for name in self.rivals:
             known = [self.fresh.value(club, name) for club in clubs.values()]
             if not advising.adds_nothing(study.objective(name), study.worth[name], self.fresh.value(name, name), known):
-                clubs[self._words(name)] = name
+                clubs[self._describe(name)] = name
         if self.nominal and not study.limits_shots:
-            clubs.setdefault(self._words("nominal"), "nominal")
+            clubs.setdefault(self._describe("nominal"), "nominal")
         return clubs
 
     @cached_property
     def advice(self) -> Advice:
-        """The club at the start, the optimum, and the clubs that are best for other objectives."""
+        """Advice on the starting club, the optimum, and the best clubs for other objectives."""
         study = self.study
         rows = [self.fresh.clubs.index(name) for name in self.compared.values()]
         columns = [self.fresh.objectives.index(each.name) for each in study.advised]
@@ -216,13 +216,13 @@ class Optimum(Described):
         )  # fmt: skip
 
     def fields(self, club: str) -> Mapping[str, float]:
-        """Return the fields [SI] of a club that :attr:`fresh` judges."""
+        """Return the fields [SI] of a club named in :attr:`fresh`."""
         own = {name: own_value(self.study.club, name) for name in self.club}
         return {"start": own, "nominal": self.nominal, "optimum": self.club, **self.rivals}[club]
 
-    def _words(self, club: str) -> str:
+    def _describe(self, club: str) -> str:
         fields = self.fields(club)
-        if len(fields) <= FEW_FIELDS:
+        if len(fields) <= MOST_NAMED_FIELDS:
             return ", ".join(f"{name} {units.show(value, UNITS[name], 3)}" for name, value in fields.items())
         purpose = {"optimum": self.study.objectives[0], "nominal": "the mean delivery"}.get(club, club)
         return f"the best club for {purpose.replace('_', ' ')}"
@@ -250,35 +250,35 @@ class Optimum(Described):
         )  # fmt: skip
 
     def placed(self) -> list[PointMass]:
-        """Return point masses that are one way to place the discretionary mass; empty where no mass moves."""
+        """Return one way to place the discretionary mass as point masses; empty if no mass moves."""
         envelope = self.study.variables.envelope
         if envelope is None:
             return []
         return placement(envelope, feasibility.pseudo_inertia(feasibility.of_club(self.built)))
 
     def verdicts(self) -> list[Verdict]:
-        """Return what the optimum has of every limit: rules, what can be built, bounds, and limits of the shots."""
+        """Return the verdict on every limit: rules, feasibility of the head, bounds, and limits on the shots."""
         study = self.study
         with without_warnings(RuleWarning):
-            result = [_of_rule(each, study.tolerance) for each in study.rule_values(self.built)]
+            result = [_rule_verdict(each, study.tolerance) for each in study.rule_values(self.built)]
         envelope = study.variables.envelope
         if envelope is not None:
             pseudo = feasibility.pseudo_inertia(feasibility.of_club(self.built))
             margins = envelope.margins(pseudo)
             if "mass" not in study.bounds:
-                margins.pop()  # the budget limits nothing where the mass is given
-            result += _of_margins(margins)
+                margins.pop()  # with a fixed mass the budget is no limit
+            result += _margin_verdicts(margins)
         for name, (low, high) in (*study.bounds.items(), *study.limits.items()):
             if name in FREE:
-                result.append(_of_range(name, self.club[name], low, high, field_quantity(name)))
+                result.append(_range_verdict(name, self.club[name], low, high, field_quantity(name)))
             else:
                 judge = study.objective(name)
-                result.append(_of_range(judge.meaning, self.judged[name], low, high, judge.quantity))
+                result.append(_range_verdict(judge.meaning, self.judged[name], low, high, judge.quantity))
         return result
 
 
 def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:
-    """Return the club of a study with fields changed; its lie, which no club file has, is left out."""
+    """Return the study's club with changed fields; the lie is left out, since club files have none."""
     own = {field: value for field, value in changes.items() if field in UNITS and field != "lie"}
     called = name or f"{study.club.name}-optimum"
     source = f"optimised from {study.club.name}: {study.title}"
@@ -287,14 +287,14 @@ def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None =
         return made.replace(sources={**made.sources, **dict.fromkeys(own, source)})
 
 
-def _of_rule(each: RuleVerdict, tolerance: bool) -> Verdict:
+def _rule_verdict(each: RuleVerdict, tolerance: bool) -> Verdict:
     limit = each.rule.limit if tolerance else each.rule.most
     quantity = shown_quantity(each.rule.name, each.rule.unit)
     return Verdict(f"rules: {each.rule.title}", quantity, each.value, -math.inf, limit, (limit - each.value) / limit)
 
 
-def _of_margins(margins: list[feasibility.Margin]) -> list[Verdict]:
-    """Return one verdict for each thing that must hold of a body, by its smallest margin."""
+def _margin_verdicts(margins: list[feasibility.Margin]) -> list[Verdict]:
+    """Return one verdict for each feasibility condition, by its smallest margin."""
     least: dict[str, float] = {}
     for each in margins:
         least[each.name] = min(least.get(each.name, math.inf), each.value)
@@ -302,7 +302,7 @@ def _of_margins(margins: list[feasibility.Margin]) -> list[Verdict]:
     return [Verdict(name, margin, value, 0.0, math.inf, value) for name, value in least.items()]
 
 
-def _of_range(name: str, value: float, low: float, high: float, quantity: Quantity) -> Verdict:
+def _range_verdict(name: str, value: float, low: float, high: float, quantity: Quantity) -> Verdict:
     sides = [abs(each) for each in (low, high) if math.isfinite(each)]
     size = high - low if len(sides) == 2 else max([*sides, 1e-12])
     margin = min(value - low, high - value) / size
@@ -310,7 +310,7 @@ def _of_range(name: str, value: float, low: float, high: float, quantity: Quanti
 
 
 def study_provenance(study: AdvisedStudy, clubs: Sequence[Club], balls: Sequence[Ball | None] = (None,)) -> Provenance:
-    """Return for whom, with how many shots, with which equipment and in which air a study was solved."""
+    """Return the golfers, shots, equipment and conditions of a study."""
     golfers = ", ".join(
         (golfer.title or golfer.name) + (f" (weight {weight:g})" if len(study.golfers) > 1 else "")
         for golfer, weight in study.golfers
@@ -333,7 +333,7 @@ def study_provenance(study: AdvisedStudy, clubs: Sequence[Club], balls: Sequence
 
 
 def _club_table(optimum: Optimum) -> Table:
-    """Return every field that changed: at the start, for the mean delivery, at the optimum, and its bounds."""
+    """Return the changed fields of the start, the nominal optimum and the optimum, and their bounds."""
     kinds = [field_quantity(name) for name in optimum.club]
     bounds = [optimum.study.bounds.get(name, (None, None)) for name in optimum.club]
     labels = {"nominal": "best for the mean delivery"}
@@ -350,7 +350,7 @@ def _club_table(optimum: Optimum) -> Table:
 
 
 def _fresh_table(optimum: Optimum) -> Table:
-    """Return what the clubs are judged by on fresh shots, and what the optimum gains on either."""
+    """Return the clubs' objectives on fresh shots, and the optimum's gain on each."""
     judges = optimum.study.known()
     kinds = [each.quantity for each in judges]
     values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in CLUBS}
@@ -389,10 +389,10 @@ def _limits_table(optimum: Optimum) -> Table:
 
 
 def placement_table(masses: Sequence[Any]) -> Table:
-    """Return point masses that are one way to place the discretionary mass, those of one place together."""
+    """Return the table of point masses for the discretionary mass; masses at one place are merged."""
     grouped: list[tuple[tuple[float, ...], list[float]]] = []
     for each in masses:  # the heaviest first
-        near = [group for place, group in grouped if math.dist(place, each.place) < ONE_PLACE]
+        near = [group for place, group in grouped if math.dist(place, each.place) < MERGE_DISTANCE]
         if near:
             near[0].append(each.mass)
         else:
@@ -408,7 +408,7 @@ def placement_table(masses: Sequence[Any]) -> Table:
     )
     return Table(
         "placement", columns, "One way to place the discretionary mass, seen from the face centre",
-        shown_rows=[place for place, each in enumerate(sums) if each >= LEAST_SHOWN],
+        shown_rows=[place for place, each in enumerate(sums) if each >= LEAST_PRINTED_MASS],
     )  # fmt: skip
 
 
@@ -488,7 +488,7 @@ def _notes(optimum: Optimum) -> Iterator[Note]:
 
 
 def _against_nominal(optimum: Optimum) -> Note:
-    """Return whether the optimum is better than the club that is best for the mean delivery alone."""
+    """Return how the optimum compares with the best club for the mean delivery alone."""
     name = optimum.study.objectives[0]
     if optimum.study.limits_shots:
         return note("optimum-limits-of-shots")
@@ -500,7 +500,7 @@ def _against_nominal(optimum: Optimum) -> Note:
 
 
 def optimum_picture(optimum: Optimum) -> Picture:
-    """Return the landings with the start and with the optimum, and the front or every field in its bounds."""
+    """Return the landings with start and optimum, and the Pareto front or the fields within their bounds."""
     golfers = optimum.study.landings(optimum.study.shots, seed=optimum.study.seed + 1)
     clubs: dict[str, Any] = {"start": {}, "optimum": optimum.club}
     landed = {name: np.concatenate([each.of(club) for each, _ in golfers], axis=1) for name, club in clubs.items()}
@@ -516,9 +516,9 @@ def optimum_picture(optimum: Optimum) -> Picture:
 
 
 def landings_panel(landed: Mapping[str, Floats]) -> Panel:
-    """Return where shots come down, and the ellipses that hold ``SHARE`` of them.
+    """Return the panel of landings and the ellipses that contain ``SHARE`` of them.
 
-    ``landed`` has landings [m] by what made them, each of shape (landings, shots).
+    ``landed`` holds landings [m] by the name of the club, each of shape (landings, shots).
     """
     marks, ellipses = [], []
     for style, (name, values) in enumerate(landed.items()):
@@ -526,7 +526,7 @@ def landings_panel(landed: Mapping[str, Floats]) -> Panel:
         marks.append(Mark("points", side[:DRAWN_POINTS], down[:DRAWN_POINTS], style=style, symbol="", size=2.5))
         ellipses.append(_ellipse(side, down))
         marks.append(Mark("line", *ellipses[-1], style=style, label=name))
-    # The ellipses set the frame: a topped ball far behind would make all others small.
+    # The ellipses set the axis limits: a topped ball far behind would stretch the axes.
     drawn = np.hstack(ellipses)
     middle, half = 0.5 * (drawn.min(axis=1) + drawn.max(axis=1)), 0.55 * np.ptp(drawn, axis=1).max()
     (left, low), (right, high) = middle - half, middle + half
@@ -538,7 +538,7 @@ def landings_panel(landed: Mapping[str, Floats]) -> Panel:
 
 
 def _ellipse(side: Floats, down: Floats) -> Floats:
-    """Return points of the ellipse that holds ``SHARE`` of normal shots with this covariance, shape (2, points)."""
+    """Return the ellipse containing ``SHARE`` of normal shots with this covariance, shape (2, points)."""
     values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
     angle = np.linspace(0.0, 2.0 * math.pi, 200)
     circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
@@ -549,7 +549,7 @@ def _ellipse(side: Floats, down: Floats) -> Floats:
 def _front_panel(optimum: Optimum) -> Panel:
     one, other = (optimum.study.objective(name) for name in optimum.study.objectives)
     x, y = ([point.values[each.name] for point in optimum.front] for each in (one, other))
-    # The start is judged on the same shots as the front only nearly: on fresh ones.
+    # The start is evaluated on fresh shots, the front on the shots it was solved on.
     start = [[optimum.fresh.value("start", each.name)] for each in (one, other)]
     marks = [
         Mark("line", x, y, style=1, dash=0), Mark("points", x, y, style=1, label="front"),

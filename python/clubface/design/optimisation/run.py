@@ -1,9 +1,9 @@
-"""An optimisation from start to end: many starts on few shots, the best on all, the nominal optimum, fresh shots.
+"""The complete optimisation: many starts on few shots, the best on all, the nominal optimum, fresh shots.
 
-Everything finished is kept in a store where there is one, so that an interrupted run goes on where it stopped. The
-Pareto front between two objectives is made by the epsilon-constraint method: one is made best while the other must be
-kept. Exact gradients and common shots make every point a smooth problem (Haimes, Lasdon and Wismer, 1971), solved from
-its neighbours and from elsewhere.
+Finished parts are kept in a store, if there is one, so that an interrupted run resumes. The Pareto front between two
+objectives is found by the epsilon-constraint method (Haimes, Lasdon and Wismer, 1971): one is optimised while the other
+is limited. Exact gradients and common shots make each point a smooth problem, which is solved from neighbouring points
+and from others.
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
 MORE = 5
-"""How many times as many shots the best is solved on next."""
+"""Factor on the number of shots from one level to the next."""
 FRONT_STARTS = 6
-"""Starts of every point, besides its neighbours: a front may jump from one kind of club to another."""
+"""Starts for every point of a front besides its neighbours, since it may jump from one kind of club to another."""
 MARGIN = 1e-9
-"""Part by which a front may be worse and still be no step back."""
+"""Relative tolerance within which a point of a front is not dominated."""
 FRONT_SHOTS = 2048
-"""Shots of a golfer for a front, at most."""
+"""Maximum number of shots per golfer for a front."""
 NOMINAL_STARTS = 4
 RIVAL_STARTS = 3
-"""Starts of the solver for an objective that was not asked for: the optimum, the club at the start, and one more."""
+"""Solver starts for each other objective: the optimum, the starting club, and one more."""
 REPEATS = 8
-"""Independent sets of fresh shots; their spread gives the standard error of a difference."""
+"""Number of independent sets of fresh shots; their spread gives the standard error of a difference."""
 FRESH_SEED = 1_000_003
-"""What seeds of fresh shots are beyond that of the study."""
+"""Offset of the seeds of fresh shots from the study's seed."""
 
 Progress = Callable[[int, int, str], object]
-"""Called with the parts done, the number of all parts, and what is being done, in words."""
+"""Called with the number of parts done, the total, and a description of the current part."""
 
 
 def optimise(
@@ -55,33 +55,33 @@ def optimise(
     others: Sequence[str] | None = None,
     progress: Progress | None = None,
 ) -> Optimum:
-    """Find the best club of a study, and what it is worth by other objectives.
+    """Find the best club of a study, and how it compares by other objectives.
 
     Parameters
     ----------
     study
-        What may change, what is best, for whom, and within which limits; or its file.
+        The study, or its file.
     output
-        The TOML file to which the best club is written. Next to it, in a folder, what is finished is kept until the run
-        ends; without it, nothing is.
+        TOML file for the best club. Finished parts are kept in a folder next to it until the run ends; without an
+        output nothing is kept.
     resume
-        Whether an interrupted run of another study is an error; otherwise it is started over. An interrupted run of the
-        same study goes on in either case.
+        Whether finding the interrupted run of a different study is an error; otherwise it starts over. An interrupted
+        run of the same study always resumes.
     others
-        Objectives for which the best clubs are found as well, for the advice; those of ``ADVISED`` unless given.
+        Other objectives for which the best clubs are found as well, for the advice; default ``ADVISED``.
     progress
-        Called with the parts done, the number of all parts, and what is being done, in words.
+        Called with the number of parts done, the total, and a description of the current part.
 
     Returns
     -------
     Optimum
-        The best club, what it is judged by on fresh shots, and all limits.
+        The best club, its objectives on fresh shots, and all limits.
 
     Raises
     ------
     InputError
-        The file is none of a study; the club to start from is impossible in the head of the study; or no start reaches
-        a club within all limits.
+        The file does not describe a study; the starting club is impossible in the study's head; or no start reaches a
+        club within all limits.
     """
     study = design_study(study)
     store = store_for(output, {"study": content(study)}, resume=resume)
@@ -100,33 +100,33 @@ class _Run:
         self.study, self._kept, self._progress = study, kept, progress
         self._others = [each.name for each in study.advised[1:]] if others is None else list(others)
         levels = len(_levels(study.shots))
-        self._whole = study.starts + levels + NOMINAL_STARTS + REPEATS
-        self._whole += len(self._others) * (RIVAL_STARTS + min(levels, 1))
+        self._total = study.starts + levels + NOMINAL_STARTS + REPEATS
+        self._total += len(self._others) * (RIVAL_STARTS + min(levels, 1))
         if len(study.objectives) == 2:
-            self._whole += 2 * FRONT_STARTS + (study.points - 2) * (3 + FRONT_STARTS)
+            self._total += 2 * FRONT_STARTS + (study.points - 2) * (3 + FRONT_STARTS)
         self._done = 0
 
-    def _once(self, name: str, words: str, compute: Callable[[], Any]) -> Any:
-        """Return what is kept under a name, or compute and keep it."""
+    def _kept_or_computed(self, name: str, words: str, compute: Callable[[], Any]) -> Any:
+        """Return the result stored under a name, or compute and store it."""
         if self._progress is not None:
-            self._progress(self._done, self._whole, words)
+            self._progress(self._done, self._total, words)
         self._done += 1
         return self._kept.once(name, compute)
 
-    def _solved(self, name: str, words: str, problem: Problem, start: Floats) -> Solution:
+    def _solve(self, name: str, words: str, problem: Problem, start: Floats) -> Solution:
         def compute() -> dict[str, Any]:
             solution = solve(problem, start)
             return {**solution._asdict(), "point": solution.point.tolist()}
 
-        kept = self._once(name, words, compute)
+        kept = self._kept_or_computed(name, words, compute)
         return Solution(**{**kept, "point": np.array(kept["point"])})
 
-    def _tried(self, name: str, words: str, problem: Problem, points: Sequence[Floats]) -> list[Solution]:
-        """Return where a solver ends from each of some points."""
-        return [self._solved(f"{name} {place}", words, problem, point) for place, point in enumerate(points)]
+    def _solve_all(self, name: str, words: str, problem: Problem, points: Sequence[Floats]) -> list[Solution]:
+        """Return the solution reached from each point."""
+        return [self._solve(f"{name} {place}", words, problem, point) for place, point in enumerate(points)]
 
     def _problem(self, shots: int, name: str) -> Problem:
-        """Return the problem for an objective on so many shots of a golfer, at most."""
+        """Return the problem for an objective on at most ``shots`` shots per golfer."""
         study = self.study
         return study.problem(study.landings(min(study.shots, shots), seed=study.seed), name)
 
@@ -136,7 +136,7 @@ class _Run:
         if (envelope := study.variables.envelope) is not None:
             refuse_impossible(study.club.name, envelope, of_club(study.club))
         coarse = self._problem(COARSE, name)
-        tried = self._tried("start", "trying starts", coarse, starts(coarse, study.starts, study.seed))
+        tried = self._solve_all("start", "trying starts", coarse, starts(coarse, study.starts, study.seed))
         first = best(tried)
         if first is None:
             raise refused(coarse, tried)
@@ -144,7 +144,7 @@ class _Run:
         whole, result = coarse, first
         for shots in _levels(study.shots):
             whole = self._problem(shots, name)
-            result = self._solved(f"{shots} shots", f"solving on {shots} shots", whole, result.point)
+            result = self._solve(f"{shots} shots", f"solving on {shots} shots", whole, result.point)
         if not result.allowed:
             raise refused(whole, [result])
         club = whole.variables.club(result.point)
@@ -160,30 +160,30 @@ class _Run:
         )  # fmt: skip
 
     def _nominal(self, name: str) -> dict[str, float]:
-        """Return the club that is best for the mean deliveries alone; limits of the shots do not count."""
+        """Return the best club for the mean deliveries alone, without limits on the shots."""
         study = self.study
         judged = name if study.objective(name).one_shot else "carry"
         single = Problem(study.variables, study.mean_shots(), study.objective(judged), study.design_limits())
         points = starts(single, NOMINAL_STARTS, study.seed)
-        solution = best(self._tried("nominal", "solving for the mean delivery", single, points))
+        solution = best(self._solve_all("nominal", "solving for the mean delivery", single, points))
         return {} if solution is None else single.variables.club(solution.point)
 
     def _rival(self, name: str, optimum: Floats) -> dict[str, float]:
-        """Return the club that is best for another objective within the same limits; empty if none is reached."""
+        """Return the best club for another objective within the same limits; empty if none is reached."""
         words = f"solving for {name.replace('_', ' ')}"
         coarse = self._problem(COARSE, name)
         points = [optimum, *starts(coarse, RIVAL_STARTS - 1, self.study.seed)]
-        solution = best(self._tried(name, words, coarse, points))
+        solution = best(self._solve_all(name, words, coarse, points))
         if solution is None:
             return {}
         if (levels := _levels(self.study.shots)) and levels[0] > COARSE:
             more = self._problem(levels[0], name)
-            finer = self._solved(f"{name} {levels[0]} shots", words, more, solution.point)
+            finer = self._solve(f"{name} {levels[0]} shots", words, more, solution.point)
             solution = finer if finer.allowed else solution
         return coarse.variables.club(solution.point)
 
     def _fresh(self, clubs: Mapping[str, Mapping[str, float]]) -> Fresh:
-        """Judge clubs on shots that no solver has seen, in independent sets."""
+        """Evaluate clubs on independent sets of shots that were not used in the optimisation."""
         study, count = self.study, max(self.study.shots // REPEATS, 1)
 
         def judge(place: int) -> list[list[float]]:
@@ -191,7 +191,7 @@ class _Run:
             return [judged(study, golfers, club) for club in clubs.values()]
 
         rows = [
-            self._once(f"fresh {place}", "judging on fresh shots", lambda place=place: judge(place))
+            self._kept_or_computed(f"fresh {place}", "judging on fresh shots", lambda place=place: judge(place))
             for place in range(REPEATS)
         ]
         return Fresh(
@@ -200,7 +200,7 @@ class _Run:
         )  # fmt: skip
 
     def _front(self) -> tuple[FrontPoint, ...]:
-        """Return points of the front, from the best of the first objective to the best of the second."""
+        """Return points of the Pareto front, from the best by the first objective to the best by the second."""
         study = self.study
         golfers = study.landings(min(study.shots, FRONT_SHOTS), seed=study.seed)
         one, other = (study.objective(name) for name in study.objectives)
@@ -208,7 +208,7 @@ class _Run:
         for end, second in ((one, other), (other, one)):
             problem = study.problem(golfers, end.name, others=(second,))
             points = starts(problem, FRONT_STARTS, study.seed)
-            tried = self._tried(f"front {end.name}", "finding the ends of the front", problem, points)
+            tried = self._solve_all(f"front {end.name}", "finding the ends of the front", problem, points)
             solution = best(tried)
             if solution is None:
                 raise refused(problem, tried)
@@ -220,9 +220,9 @@ class _Run:
         ):
             limits = (level, math.inf) if other.sign < 0 else (-math.inf, level)
             problem = study.problem(golfers, one.name, limits=(study.shot_limit(other.name, *limits),))
-            # The neighbour nearly keeps the new level; the other end keeps every level, and is seldom near.
+            # The previous point nearly meets the new level; the other end meets every level but is rarely near.
             mixed = [before, farther, 0.5 * (before + farther), *starts(problem, FRONT_STARTS, study.seed)]
-            solution = best(self._tried(f"front {place}", "following the front", problem, mixed))
+            solution = best(self._solve_all(f"front {place}", "following the front", problem, mixed))
             if solution is not None:
                 before = solution.point
                 kept_points.append(_point(problem, before, study))
@@ -235,7 +235,7 @@ def _point(problem: Problem, point: Floats, study: DesignStudy) -> FrontPoint:
 
 
 def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tuple[str, ...]) -> list[FrontPoint]:
-    """Leave out points than which another is better in both objectives."""
+    """Return the points that no other point beats in both objectives."""
     costs = np.array([[one * each.values[names[0]], other * each.values[names[1]]] for each in points])
     size = np.abs(costs).max(axis=0)
     kept = []
@@ -247,13 +247,13 @@ def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tu
 
 
 def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:
-    """Return every objective of a study [SI] for a club, the weighted mean over golfers."""
+    """Return all objectives of a study [SI] for a club, averaged over golfers by weight."""
     landed = [(each, weight, each.of(club)) for each, weight in golfers]
     return judge_sets(study.known(), landed, 1)[0].tolist()
 
 
 def _levels(shots: int) -> list[int]:
-    """Return numbers of shots from few to all: an optimum on few is near that on five times as many."""
+    """Return increasing numbers of shots up to all: the optimum on few shots is near the one on five times as many."""
     levels, count = [], COARSE * MORE
     while count < shots:
         levels.append(count)

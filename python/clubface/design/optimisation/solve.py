@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from clubface.equipment.clubs import Club
 
 REMEMBERED = 4
-"""Points whose values are kept: an optimiser asks for objective, limits and gradients one after another."""
+"""Number of points cached: an optimiser asks for objective, limits and gradients one after another."""
 
 
 @dataclass(frozen=True)
 class State:
-    """What is known at a point of an optimiser, by the names of fields and of objectives.
+    """Club and objectives at a point of the optimiser.
 
-    ``club`` has the fields of the club that may change [SI], and ``judged`` the objectives in use, the mean over the
-    golfers. ``slopes`` and ``gradients`` are their derivatives by the numbers of the optimiser, each of shape
-    (numbers,); there are no ``gradients`` where they were not asked for.
+    ``club`` holds the variable club fields [SI] and ``judged`` the objectives in use, averaged over the golfers.
+    ``slopes`` and ``gradients`` are their derivatives with respect to the optimiser's variables, each of shape
+    (variables,); ``gradients`` is empty unless requested.
     """
 
     club: Mapping[str, float]
@@ -40,10 +40,10 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class RangeLimit:
-    """A field of the club, or an objective, that must stay within limits [SI], which are infinite where there is none.
+    """A range [SI] for a club field or an objective; an end without a limit is infinite.
 
-    The limit has its ``name`` in reports; ``limited`` is what is limited. Margins are made numbers by the ``size``
-    [SI], or by that of each limit itself.
+    ``name`` is the limit's name in reports and ``limited`` the field or objective. Margins are divided by ``size`` [SI]
+    or, by default, by the size of the limit.
     """
 
     name: str
@@ -54,7 +54,7 @@ class RangeLimit:
     size: float | None = None
 
     def margins(self, state: State) -> Floats:
-        """Return the distance from each limit."""
+        """Return the scaled distance from each limit."""
         value = {**state.club, **state.judged}[self.limited]
         return np.array([side * (value - limit) / size for side, limit, size in self._sides()])
 
@@ -64,7 +64,7 @@ class RangeLimit:
         return np.array([side * slope / size for side, _, size in self._sides()])
 
     def describe(self, state: State) -> tuple[str, str]:
-        """Return the value of a club and the values allowed, in words."""
+        """Return a club's value and the allowed values, in words."""
         allowed = " to ".join(units.show(limit, self.unit, 4) for _, limit, _ in self._sides())
         if len(self._sides()) == 1:
             allowed = f"{'at least' if math.isfinite(self.least) else 'at most'} {allowed}"
@@ -78,11 +78,11 @@ class RangeLimit:
 
 
 class Buildable:
-    """The discretionary mass must be mass in the volume, and within its budget.
+    """Feasibility of the head: the discretionary mass must fit into the volume and into its budget.
 
-    Where the mass properties among ``fields`` do not change, they are those of ``base``. Where the mass is
-    ``distributed``, the variables make the moments positive semidefinite by themselves; unless the mass changes, the
-    budget is no limit, and a solver would stumble over a margin that is 0.
+    Mass properties that are not among ``fields`` are those of ``base``. If the mass is ``distributed``, the variables
+    ensure positive semidefinite moments. If the mass does not change, the budget is left out, because a margin that is
+    always 0 would upset the solver.
     """
 
     name = "the head"
@@ -103,7 +103,7 @@ class Buildable:
         return result
 
     def margins(self, state: State) -> Floats:
-        """Return the traces, the rest of the budget and, where it may be negative, every principal moment."""
+        """Return the traces, the rest of the budget and, unless they cannot be negative, the principal moments."""
         placed = self.envelope.placed(pseudo_inertia(self.values(state)))
         result = [np.einsum("fij,ij->f", self._forms, placed) / self.envelope.budget]
         if self._mass_changes:
@@ -114,16 +114,16 @@ class Buildable:
         return np.concatenate(result)
 
     def describe(self, state: State) -> tuple[str, str]:
-        """Return that it cannot be built, and what is wrong with it, in words."""
+        """Return that the head cannot be built, and why, in words."""
         margins = self.envelope.margins(pseudo_inertia(self.values(state)))
         return "impossible", f"one that can be built: {min(margins, key=lambda each: each.value).reason}"
 
     def gradients(self, state: State) -> Floats:
-        """Return their derivatives; that of an eigenvalue is its vector's change (Magnus, 1985)."""
+        """Return the derivatives of the margins; those of eigenvalues follow Magnus (1985)."""
         values, budget = self.values(state), self.envelope.budget
         by_name: dict[str, Floats] = dict(zip(MASS_PROPERTIES, pseudo_inertia_derivatives(values), strict=True))
         by_numbers = sum(by_name[name][..., None] * state.slopes[name] for name in self._changing)
-        assert isinstance(by_numbers, np.ndarray)  # there is at least one mass property that changes
+        assert isinstance(by_numbers, np.ndarray)  # at least one mass property changes
         result = [np.einsum("fij,ijn->fn", self._forms, by_numbers) / budget]
         if self._mass_changes:
             result.append(-by_numbers[3, 3][None] / budget)
@@ -136,14 +136,14 @@ class Buildable:
 
 
 Limit = RangeLimit | Buildable
-"""One or several margins, scaled to size 1, that must not be negative."""
+"""One or more margins, scaled to about 1, that must not be negative."""
 
 
 class Problem:
-    """An objective that is made best and limits that must hold, over variables.
+    """An objective to optimise over variables, subject to limits.
 
-    ``golfers`` are the shots of each golfer, and how much he counts; the weights need not add up to 1. ``others`` are
-    objectives that the limits ask for, or that are reported.
+    ``golfers`` holds shots and weight of each golfer; weights need not sum to 1. ``others`` are objectives used by
+    limits or reported.
     """
 
     def __init__(
@@ -163,7 +163,7 @@ class Problem:
 
     @property
     def shots(self) -> int:
-        """The shots of all golfers, those that miss the face left out."""
+        """Number of shots of all golfers, without those that miss the face."""
         return sum(landings.count for landings, _ in self.golfers)
 
     def values(self, point: Floats) -> State:
@@ -200,11 +200,11 @@ class Problem:
         return sum(weight * each for weight, each in zip(self._weights, of_golfers, strict=True))
 
     def cost(self, point: Floats) -> float:
-        """Return the objective with the sign that makes less of it better."""
+        """Return the objective with the sign for minimisation."""
         return self.objective.sign * self.values(point).judged[self.objective.name]
 
     def slope(self, point: Floats) -> Floats:
-        """Return the derivatives of the cost, shape (numbers,)."""
+        """Return the derivatives of the cost, shape (variables,)."""
         return self.objective.sign * self.differentiated(point).gradients[self.objective.name]
 
     def margins(self, point: Floats) -> Floats:
@@ -213,7 +213,7 @@ class Problem:
         return np.concatenate([np.empty(0), *(each.margins(state) for each in self.limits)])
 
     def margin_slopes(self, point: Floats) -> Floats:
-        """Return the derivatives of all margins, shape (margins, numbers)."""
+        """Return the derivatives of all margins, shape (margins, variables)."""
         state = self.differentiated(point)
         return np.concatenate([np.empty((0, self.variables.count)), *(each.gradients(state) for each in self.limits)])
 
@@ -225,25 +225,26 @@ def _keep(kept: dict[bytes, State], key: bytes, state: State) -> None:
 
 
 COARSE = 512
-"""Shots of a golfer from which all starts are tried; the first of those on which the best is solved again."""
+"""Shots per golfer with which all starts are tried; the best is then solved again on more."""
 SLACK = 1e-6
-"""What every margin keeps above 0 while it is solved, so that rounding of the solver breaks no limit."""
+"""Safety margin during the solution, so that the solver's rounding breaks no limit."""
 MOST_STEPS = 200
 PATIENCE = 6
-"""Steps without progress after which a solver stops: balls come to lie in another lie, and the strokes expected
-from it have kinks, so that they are smooth only to some 1e-6."""
+"""Steps without progress after which the solver stops: expected strokes have kinks, as when a ball ends in another lie,
+and are smooth only to about 1e-6."""
 PENALTIES = (0.03, 0.3, 3.0)
-"""Costs of a broken limit, in parts of the cost at the start, with which progress is looked for."""
+"""Weights of a broken limit, relative to the starting cost, with which progress is measured."""
 ALIKE = 1e-4
-"""Costs that differ by less than this part are the same optimum."""
+"""Relative difference in cost below which two optima count as the same."""
 REFUSED = 10.0
-"""Cost, in sizes of the cost at the start, of a club whose shots cannot be computed: a line search turns back."""
+"""Cost, relative to the starting cost, of a club whose shots cannot be computed, which makes a line search turn
+back."""
 
 
 class Solution(NamedTuple):
-    """Where a solver ended, after how many steps, and why in its words.
+    """Final point, cost, steps and message of the solver.
 
-    Less of the ``cost``, the objective with a sign, is better; ``least_margin`` is negative where a limit is broken.
+    ``cost`` is the objective with the sign for minimisation; ``least_margin`` is negative if a limit is broken.
     """
 
     point: Floats
@@ -254,12 +255,12 @@ class Solution(NamedTuple):
 
     @property
     def allowed(self) -> bool:
-        """Whether no limit is broken."""
+        """Whether all limits are met."""
         return self.least_margin >= 0.0
 
 
 def starts(problem: Problem, count: int, seed: int) -> list[Floats]:
-    """Return points to start from: that of the base club, then points spread evenly over the bounds."""
+    """Return starting points: the base club, then points spread evenly over the bounds."""
     from scipy.stats import qmc
 
     uniform = qmc.Sobol(problem.variables.count + 1, scramble=True, rng=np.random.default_rng(seed))
@@ -268,7 +269,7 @@ def starts(problem: Problem, count: int, seed: int) -> list[Floats]:
 
 
 def solve(problem: Problem, start: Floats) -> Solution:
-    """Return the optimum that is reached from a start."""
+    """Return the optimum reached from a starting point."""
     from scipy.optimize import minimize
 
     best_yet = _Best()
@@ -306,20 +307,20 @@ def solve(problem: Problem, start: Floats) -> Solution:
 
 
 class _StalledError(Exception):
-    """No progress for some steps."""
+    """The solver makes no more progress."""
 
 
 class _Best:
-    """Remembers the best point within all limits, and stops a solver that makes no progress from it."""
+    """Keeps the best point within all limits, and stops the solver when it makes no progress."""
 
     def __init__(self) -> None:
         self.point, self.cost, self.steps, self._idle = np.empty(0), np.inf, 0, 0
         self._merit = dict.fromkeys(PENALTIES, np.inf)
 
     def record(self, point: Floats, cost: float, broken: float, precision: float) -> None:
-        """Record a point at which the solver takes a step, and how much a limit is broken there.
+        """Record the point and limit violation of a solver step; raise an error if there is no progress.
 
-        Steps along a curved limit break it a little while they make progress, so progress counts with penalties, too.
+        Steps along a curved limit violate it slightly while they make progress, so penalised costs count as progress.
         """
         self.steps += 1
         self._idle += 1
@@ -331,19 +332,19 @@ class _Best:
             self.point, self.cost = np.array(point), cost
         within_limits = np.isfinite(self.cost)
         if not within_limits:
-            self.point = np.array(point)  # where it looks for one within all limits
+            self.point = np.array(point)  # still outside the limits
         if self._idle > (PATIENCE if within_limits else 8 * PATIENCE):
             raise _StalledError
 
 
 def best(solutions: Sequence[Solution]) -> Solution | None:
-    """Return the best of those that break no limit."""
+    """Return the best solution within all limits; None if there is none."""
     allowed = [each for each in solutions if each.allowed and np.isfinite(each.cost)]
     return min(allowed, key=lambda each: each.cost) if allowed else None
 
 
 def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
-    """Return the error that no start reached a club within all limits, with what the nearest breaks the most."""
+    """Return the error that no start reached a club within all limits, naming the nearest club's worst violation."""
     known = [each for each in solutions if np.isfinite(each.cost)]
     if not known:
         return InputError(
@@ -361,6 +362,6 @@ def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
 
 
 def agreeing(solutions: Sequence[Solution], chosen: Solution) -> int:
-    """Return how many solutions are as good as the chosen one."""
+    """Return the number of solutions as good as the chosen one."""
     near = ALIKE * max(abs(chosen.cost), 1e-12)
     return sum(each.allowed and each.cost <= chosen.cost + near for each in solutions)

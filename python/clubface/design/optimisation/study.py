@@ -1,24 +1,18 @@
-"""Studies of optima: what may change, what is best, for whom, within which limits; and their TOML files.
+"""Optimisation studies: variables, objective, golfers and limits; and their TOML files.
 
 A study::
 
-    title = "A driver for bogey golf"
-    club = "driver"
-    golfer = "bogey-driver"
-    objective = "strokes"                # or two of them, for the front between both
+    title = "A driver for bogey golf" club = "driver" golfer = "bogey-driver" objective = "strokes"                # or
+    two of them, for the Pareto front
 
     [hole]
     length = "400 yd"
 
-    [variables]
-    loft = ["8 deg", "14 deg"]
-    bulge = ["200 mm", "500 mm"]
-    mass_distribution = "free"           # or bounds of single mass properties
+    [variables] loft = ["8 deg", "14 deg"] bulge = ["200 mm", "500 mm"] mass_distribution = "free"           # or bounds
+    of single mass properties
 
-    [head]                               # where its mass may be, seen from the face centre
-    size = ["115 mm", "62 mm", "124 mm"] # face to back, sole to crown, heel to toe
-    centre = ["-55 mm", "2 mm", "3 mm"]
-    volume = "460 cm3"
+    [head]                               # where its mass may be, relative to the face centre size = ["115 mm", "62 mm",
+    "124 mm"] # face to back, sole to crown, heel to toe centre = ["-55 mm", "2 mm", "3 mm"] volume = "460 cm3"
     discretionary_mass = "30 g"
 
     [limits]
@@ -84,38 +78,38 @@ __all__ = ["DesignStudy", "FittingFile", "Head", "StudyFile", "from_text", "read
 MOST_SHOTS = 100_000
 DEFAULT_POINTS = 9
 DISTRIBUTION = "mass_distribution"
-"""The word among the variables that sets the whole distribution of mass free."""
+"""The key among the variables that frees the whole mass distribution."""
 UNITS = {**{name: each.unit for name, each in CLUB_PROPERTIES.items()}, "lie": "deg"}
 RULED = {"iyy": "moment_of_inertia", "characteristic_time": "characteristic_time"}
-"""The fields of a club that rules limit."""
+"""Club fields limited by the rules, with the names of the rules."""
 
 
 def shown_quantity(name: str, unit: str) -> Quantity:
-    """Return a quantity that is read in a unit, with four digits that count."""
+    """Return a quantity shown in a unit with four significant digits."""
     si = units.SI_UNITS[units.unit(unit).dimension]
     return quantity_named(name, si)._replace(golf=Reading(unit, 4))
 
 
 def field_quantity(field: str) -> Quantity:
-    """Return what a field of a club is, in the unit in which studies are written."""
+    """Return the quantity of a club field, in the unit used in studies."""
     return shown_quantity({"loft": "static_loft"}.get(field, field), UNITS[field])._replace(label=field)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Head:
-    """What the head may be.
+    """Limits on the head.
 
     Attributes
     ----------
     volume
         Where its mass may be.
     discretionary
-        The most mass that may be placed freely [kg].
+        Maximum discretionary mass [kg].
     displaced
         Its volume as the rules measure it [m3], or None.
     shell
-        Mass properties of what cannot be moved in the order of ``MASS_PROPERTIES`` [SI]; None for the base club made
-        lighter evenly, by the discretionary mass.
+        Mass properties of the fixed part in the order of ``MASS_PROPERTIES`` [SI]; None for the base club made
+        uniformly lighter by the discretionary mass.
     """
 
     volume: Volume
@@ -124,7 +118,7 @@ class Head:
     shell: tuple[float, ...] | None = None
 
     def envelope(self, base: Club) -> Envelope:
-        """Return the volume with its shell, that of a base club unless it is given; mass goes inside a base's mesh."""
+        """Return volume, shell and budget for a base club; with a mesh, discretionary mass must lie inside it."""
         if self.shell is not None:
             fixed = pseudo_inertia(np.array(self.shell))
         else:
@@ -139,38 +133,38 @@ class Head:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignStudy(AdvisedStudy):
-    """What may change, what is best, for whom, and within which limits.
+    """Variables, objectives, golfers and limits of an optimisation.
 
     Attributes
     ----------
     title
-        Its name in reports.
+        Name in reports.
     club
-        The club to start from, with which the golfers deliver as they do.
+        The starting club, with which the golfers' deliveries were made.
     golfers
-        Each with how much he counts.
+        Golfers with weights.
     objectives
-        One, or two for a front.
+        Names of one objective, or of two for a Pareto front.
     bounds
-        Least and greatest value of every field that changes [SI].
+        Lower and upper bound of every variable field [SI].
     distributed
-        Whether the whole distribution of mass is free.
+        Whether the whole mass distribution is free.
     head
-        What the head may be; needed where a mass property changes.
+        Limits on the head; needed if a mass property changes.
     limits
-        Least and greatest value of fields and of numbers of the shots [SI], infinite where there is none.
+        Lower and upper limit of fields and objectives [SI]; infinite for none.
     conform
-        Whether the rules are limits.
+        Whether the rules of golf are limits.
     tolerance
-        Whether their tolerances may be used.
+        Whether the rules' tolerances may be used.
     hole
-        For the expected strokes.
+        The hole for expected strokes.
     setting
         Model, ball and air.
     shots, seed, starts, points
-        Shots of a golfer, the seed of shots and starts, starts of the solver, points of a front.
+        Shots per golfer, seed of shots and starts, solver starts, points of a front.
     worth
-        The smallest difference worth a change, by objective [SI]; that of ``WORTH`` for those left out.
+        The smallest difference worth a change, by objective [SI]; default ``WORTH``.
     """
 
     club: Club
@@ -197,7 +191,7 @@ class DesignStudy(AdvisedStudy):
             if name in FREE and name not in self.variables.fields:
                 raise InputError(f"limits.{name}", Wording("given"), f"leave it out, since {name} does not change")
         check_bounds(self.club, self.bounds, "variables")
-        self._refuse_rules_that_are_broken_for_good()
+        self._check_fixed_rules()
 
     @property
     def moves_mass(self) -> bool:
@@ -206,18 +200,18 @@ class DesignStudy(AdvisedStudy):
 
     @property
     def limits_shots(self) -> bool:
-        """Whether there are limits of the shots, which the best club for the mean delivery does not know."""
+        """Whether there are limits on the shots, which the best club for the mean delivery ignores."""
         return any(each not in FREE for each in self.limits)
 
     @property
     def variables(self) -> Variables:
-        """What the optimiser turns."""
+        """The optimiser's variables."""
         envelope = self.head.envelope(self.club) if self.head is not None and self.moves_mass else None
         return Variables(base=self.club, bounds=self.bounds, envelope=envelope, distributed=self.distributed)
 
     @property
     def present(self) -> Club:
-        """The club to start from."""
+        """The starting club."""
         return self.club
 
     @property
@@ -226,16 +220,16 @@ class DesignStudy(AdvisedStudy):
         return self.objectives[0]
 
     def objective(self, name: str) -> Objective:
-        """Return an objective of the study by its name."""
+        """Return an objective of the study by name."""
         return self.judge(name)
 
     def landings(self, shots: int, *, seed: int) -> list[tuple[Landings, float]]:
-        """Return the shots of the golfers, and how much each golfer counts."""
+        """Return shots and weight of every golfer."""
         samples = self.samples(shots, seed)
         return [(Landings(self.club, deliveries, self.setting), weight) for deliveries, weight in samples]
 
     def mean_shots(self) -> list[tuple[Landings, float]]:
-        """Return the mean delivery of every golfer, as one shot each."""
+        """Return the mean delivery of every golfer as a single shot, and the golfer's weight."""
         result = []
         for each, weight in self.golfers:
             own = each.for_hand(self.club.hand)
@@ -251,13 +245,13 @@ class DesignStudy(AdvisedStudy):
         limits: tuple[RangeLimit, ...] = (),
         others: tuple[Objective, ...] = (),
     ) -> Problem:
-        """Return the problem for an objective; ``limits`` are added to those of the study; ``others`` are known."""
+        """Return the problem for an objective, with extra ``limits``; ``others`` are objectives computed as well."""
         asked = [*(self.shot_limit(name, *each) for name, each in self.limits.items() if name not in FREE), *limits]
         known = [*(self.judge(each.limited) for each in asked), *others]
         return Problem(self.variables, golfers, self.objective(objective), [*self.design_limits(), *asked], known)
 
     def design_limits(self) -> list[Limit]:
-        """Return the limits that are of the club and not of its shots."""
+        """Return the limits on the club, without those on the shots."""
         turned, limits = self.variables, []
         if turned.envelope is not None:
             limits.append(
@@ -270,7 +264,7 @@ class DesignStudy(AdvisedStudy):
         for rule in rules_of(self.club) if self.conform else ():
             if rule.name in ruled:
                 name = ruled[rule.name]
-                limits.append(self._field_limit(name, -math.inf, self._most(rule), f"rules: {rule.title}"))
+                limits.append(self._field_limit(name, -math.inf, self._rule_limit(rule), f"rules: {rule.title}"))
         limits += [self._field_limit(name, *each, name) for name, each in self.limits.items() if name in FREE]
         return limits
 
@@ -284,22 +278,22 @@ class DesignStudy(AdvisedStudy):
         size = max([*finite, abs(own_value(self.club, name)), 1e-12])
         return RangeLimit(name=called, limited=name, least=least, most=most, unit=UNITS[name], size=size)
 
-    def _most(self, rule: Rule) -> float:
+    def _rule_limit(self, rule: Rule) -> float:
         return rule.limit if self.tolerance else rule.most
 
     def rule_values(self, club: Club) -> list[RuleVerdict]:
-        """Return what a club with the head of the study has of every rule; a mesh says its own volume and size."""
+        """Return a club's verdicts for every rule, with volume and size of its mesh or of the study's head."""
         volume, size = (None, None) if self.head is None else (self.head.displaced, self.head.volume.size)
         if (mesh := mesh_of(self.club)) is not None:
             volume, size = mesh.volume or volume, mesh.size
         return check_rules(club, volume=volume, size=size)
 
-    def _refuse_rules_that_are_broken_for_good(self) -> None:
+    def _check_fixed_rules(self) -> None:
         if not self.conform:
             return
         changing = {RULED[name] for name in self.variables.fields if name in RULED}
         for each in self.rule_values(self.club):
-            limit = self._most(each.rule)
+            limit = self._rule_limit(each.rule)
             if each.rule.name not in changing and each.value > limit * (1.0 + 1e-9):
                 problem = units.show(each.value, each.rule.unit, 4)
                 allowed = f"at most {units.show(limit, each.rule.unit, 4)} by the rules, and nothing changes it"
@@ -314,13 +308,13 @@ def golfers_of(given: Any) -> tuple[tuple[Golfer, float], ...]:
 
 
 COUNTS = {"shots": (1, MOST_SHOTS), "seed": (0, 2**31), "starts": (1, 1000), "points": (3, 200)}
-"""Least and greatest value of what is counted."""
+"""Smallest and largest value of each count."""
 POSITIVE = ("mass", "bulge", "roll", "ixx", "iyy", "izz")
-"""Fields that are above 0."""
+"""Fields that must be positive."""
 
 
 def _bounds(name: str) -> Interval:
-    """Return the kind of the least and the greatest value of a field that changes."""
+    """Return the schema of a variable field's bounds."""
     return Interval(PhysicalValue(UNITS[name], above=0 if name in POSITIVE else None))
 
 
@@ -347,7 +341,7 @@ _NAMES = "a list of names or files"
 
 @dataclass(frozen=True, kw_only=True)
 class HeadTable:
-    """What the head may be, seen from the face centre."""
+    """Limits on the head, relative to the face centre."""
 
     shape: str = file_key(Choice(SHAPES), "form of the room for mass", default="box")
     size: tuple[float, float, float] = file_key(VECTOR, "face to back, sole to crown, heel to toe")
@@ -370,7 +364,7 @@ class HeadTable:
 
 @dataclass(frozen=True, kw_only=True)
 class FitTable:
-    """The parts that a fitting chooses among."""
+    """The parts of a fitting."""
 
     clubs: tuple[Club, ...] = file_key(Items(Reference(club_of), 1, allowed=_NAMES), "heads")
     balls: tuple[Ball | None, ...] = file_key(Items(Reference(ball_of), 1, allowed=_NAMES), "balls", default=(None,))
@@ -383,7 +377,7 @@ class FitTable:
 
 @dataclass(frozen=True, kw_only=True)
 class CommonFile:
-    """What the files of studies and fittings share."""
+    """Keys common to study and fitting files."""
 
     title: str = file_key(TEXT, "its name in reports")
     golfer: Any = file_key(NAMED_GOLFERS, "who plays: a name, a file, or tables [[golfer]] with name and weight")
@@ -399,7 +393,7 @@ class CommonFile:
     )
 
     def common(self, **setting: Any) -> dict[str, Any]:
-        """Return the arguments that studies and fittings share."""
+        """Return the arguments common to studies and fittings."""
         reduced_model(self.model, "one with derivatives")
         flown = {"air": self.air, "wind": self.wind, "ground": self.ground}
         check_conditions(**flown)
@@ -411,7 +405,7 @@ class CommonFile:
 
 @dataclass(frozen=True, kw_only=True)
 class StudyFile(CommonFile):
-    """A file of an optimisation."""
+    """A study file for an optimisation."""
 
     objective: tuple[str, ...] = file_key(
         Either(
@@ -458,7 +452,7 @@ class StudyFile(CommonFile):
 
 @dataclass(frozen=True, kw_only=True)
 class FittingFile(CommonFile):
-    """A file of a fitting."""
+    """A fitting file."""
 
     objective: str = file_key(Choice(tuple(JUDGED)), "what is best")
     fit: FitTable = file_key(Table(FitTable), "the parts to choose among")
@@ -474,21 +468,21 @@ class FittingFile(CommonFile):
         )  # fmt: skip
 
 
-OTHERS = {
+OTHER_FILES = {
     "cg_x": ("a club", 'a study of its own names it, as in club = "my-driver.toml"'),
     "study": ("a study of many runs", "clubface study run reads it"),
     "metals": ("a study of a head of shells", "clubface fem design reads it"),
 }
-"""What other files are, by a key that only they have, and what to do with them."""
+"""Other kinds of file, by a key that only they have, and how to use them."""
 
 
 def read(path: str | os.PathLike[str]) -> DesignStudy | Fitting:
-    """Read a study, or a fitting if the file has a table ``[fit]``; files that it names are looked for next to it."""
+    """Read a study, or a fitting if the file has a table ``[fit]``; the files it names are relative to its folder."""
     return from_document(Document.read(path))
 
 
 def content(study: DesignStudy | Fitting) -> dict[str, Any]:
-    """Return all that the result of a study or a fitting depends on, for a fingerprint."""
+    """Return everything the result of a study or a fitting depends on, for a fingerprint."""
     values = {name: getattr(study, name) for name in study.__dataclass_fields__ if name not in ("golfers", "worth")}
     return {**values, "golfers": [(each.content(), weight) for each, weight in study.golfers]}
 
@@ -497,13 +491,13 @@ S = TypeVar("S")
 
 
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
-    """Return a study, or that of a file; the file of a fitting is an :class:`InputError`."""
+    """Return a study, given as such or as a file; raise an :class:`InputError` for a fitting file."""
     wanted = "a study with variables; fit takes a fitting, which has a table [fit]"
     return _read_as(DesignStudy, given, "study", wanted)
 
 
 def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
-    """Return a fitting, or that of a file; the file of a study is an :class:`InputError`."""
+    """Return a fitting, given as such or as a file; raise an :class:`InputError` for a study file."""
     wanted = "one with a table [fit]; optimise takes a study, which has variables"
     return _read_as(Fitting, given, "fitting", wanted)
 
@@ -516,14 +510,14 @@ def _read_as(kind: type[S], given: Any, name: str, wanted: str) -> S:
 
 
 def from_text(text: str) -> DesignStudy | Fitting:
-    """Read a study or a fitting from text; files that it names are looked for in the current folder."""
+    """Read a study or a fitting from text; the files it names are relative to the current folder."""
     return from_document(Document(text))
 
 
 def from_document(document: Document) -> DesignStudy | Fitting:
     """Read a study or a fitting from a document."""
     place = Place(document)
-    for key, (what, advice) in OTHERS.items():
+    for key, (what, advice) in OTHER_FILES.items():
         if key in document.data:
             raise FileError(document.path, document.line_of((key,)), f"this is {what}; {advice}", key)
     with place.errors():

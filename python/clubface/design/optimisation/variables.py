@@ -1,14 +1,14 @@
-"""What an optimiser turns: numbers of size 1, the club they make, and where to put its masses.
+"""The optimiser's variables, scaled to about 1, the club they define, and point masses that realise it.
 
-A field of the club is one number, from 0 at its lower bound to 1 at its upper; of a radius it is the curvature, which a
-launch depends on almost linearly. Where the whole distribution of mass is free, nine numbers place the discretionary
-mass: in coordinates that start at the centre of the volume and end at its surface, its second moments about the centre
-are a product C C', and its first moments and the lower triangle of C fill the nine. So its pseudo-inertia is positive
-semidefinite whatever they are, and that of a body in an ellipsoid if the sum of their squares is at most 1.
+A club field is one variable, from 0 at its lower bound to 1 at its upper; a radius is interpolated as curvature, on
+which launch depends almost linearly. A free mass distribution has nine variables for the discretionary mass: in
+coordinates with the origin at the centre of the volume and its surface at 1, the first moments and the lower triangle
+of a matrix C, where C C' are the central second moments. Its pseudo-inertia is then always positive semidefinite, and
+belongs to a body in an ellipsoid if the squares of the nine sum to at most 1.
 
-Point masses that have the moments of the discretionary mass are found by linear programming. Places lie on a grid, and
-the best head often needs mass at a place between, exactly on the surface. So the grid is made finer again and again
-about the places that are taken.
+Point masses with the moments of the discretionary mass are found by linear programming on a grid of places. The best
+head often needs mass between grid points, exactly on the surface, so the grid is refined repeatedly around the places
+in use.
 """
 
 from __future__ import annotations
@@ -40,21 +40,21 @@ if TYPE_CHECKING:
 
 RADII = ("bulge", "roll")
 LIE_MOST = units.to_si(90.0, "deg")
-"""A lie beyond it turns the head over; no impact has one."""
+"""Largest lie [rad]; beyond it the head would be upside down."""
 PLACED = 9
-"""Numbers that place a mass: its CG and the lower triangle of the root of its second moments about it."""
+"""Number of variables for placed mass: its CG and the lower triangle of the root of its central second moments."""
 _ROOT = [(row, column) for row in range(3) for column in range(row + 1)]
 _ENTRIES = [(i, j) for i in range(4) for j in range(i, 4)]
-"""The ten different entries of a pseudo-inertia."""
+"""The ten independent entries of a pseudo-inertia."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Variables:
-    """The numbers that an optimiser turns, from a ``base`` club.
+    """The optimiser's variables for changes of a ``base`` club.
 
-    Every field with ``bounds`` [SI] is a number of its own. Where the distribution of mass changes, the head is in an
-    ``envelope``; where all of it is free, it is ``distributed``, and the mass is that of the base unless it has bounds.
-    Fields that are ``held`` [SI] are the same in every club, and other than those of the base.
+    Every field with ``bounds`` [SI] is one variable. If mass moves, the head stays in an ``envelope``; if it is
+    ``distributed``, the whole mass distribution is free, and the mass is the base's unless it has bounds. Fields that
+    are ``held`` [SI] have the same value in every club, different from the base.
     """
 
     base: Club
@@ -72,39 +72,39 @@ class Variables:
 
     @property
     def count(self) -> int:
-        """How many numbers there are."""
+        """Number of variables."""
         return len(self.bounds) + (PLACED if self.distributed else 0)
 
     @property
     def box(self) -> Floats:
-        """Bounds of the numbers, shape (count, 2)."""
+        """Bounds of the variables, shape (count, 2)."""
         result = np.tile([0.0, 1.0], (self.count, 1))
         if self.distributed:
             result[-PLACED:] = [-2.0, 2.0]
         return result
 
     def club(self, point: Floats) -> dict[str, float]:
-        """Return the fields that may change, and those that are held, by name [SI]."""
+        """Return variable and held fields by name [SI]."""
         result = {name: self._field(name, at) for name, at in zip(self.bounds, point, strict=False)}
         if self.distributed:
             mass = result.get("mass", self.base.mass)
-            values = mass_properties(self._shell + self._placed(mass, point[-PLACED:]))
+            values = mass_properties(self._shell + self._placed_inertia(mass, point[-PLACED:]))
             result |= dict(zip(MASS_PROPERTIES, map(float, values), strict=True))
         return {**self.held, **{name: result[name] for name in self.fields}}
 
     def slopes(self, point: Floats) -> Floats:
-        """Return the derivatives of the fields by the numbers, shape (fields, count)."""
+        """Return the derivatives of the fields with respect to the variables, shape (fields, count)."""
         slopes, fields = np.zeros((len(self.fields), self.count)), self.fields
         own = {name: self._slope(name, at) for name, at in zip(self.bounds, point, strict=False)}
         for column, (name, slope) in enumerate(own.items()):
             if not self.distributed or name not in MASS_PROPERTIES:
                 slopes[fields.index(name), column] = slope
         if self.distributed:
-            self._add_placed(slopes, point, own.get("mass"))
+            self._add_placed_slopes(slopes, point, own.get("mass"))
         return slopes
 
     def start(self) -> Floats:
-        """Return the numbers of the base club, or the nearest within the bounds."""
+        """Return the variables of the base club, clipped to the bounds."""
         own = []
         for name, (low, high) in self.bounds.items():
             value = own_value(self.base, name)
@@ -115,12 +115,12 @@ class Variables:
         if not self.distributed:
             return own
         pseudo = pseudo_inertia(of_club(self.base))
-        return np.concatenate([own, self._numbers(pseudo - self._shell)])
+        return np.concatenate([own, self._placed_variables(pseudo - self._shell)])
 
     def random(self, uniform: Floats) -> Floats:
-        """Return numbers spread over their bounds, from as many that are uniform from 0 to 1.
+        """Return variables spread over their bounds, from numbers uniform between 0 and 1.
 
-        Those that place a mass lie in the ball of radius 1.
+        The variables for placed mass lie in the unit ball.
         """
         from scipy.special import ndtri
 
@@ -145,7 +145,7 @@ class Variables:
 
     @property
     def _shell(self) -> Floats:
-        assert self.envelope is not None  # a distribution has a volume to be in
+        assert self.envelope is not None  # a free distribution needs a volume
         return self.envelope.shell
 
     @property
@@ -153,13 +153,13 @@ class Variables:
         assert self.envelope is not None
         return self.envelope.volume.frame
 
-    def _placed(self, mass: float, numbers: Floats) -> Floats:
-        """Return the pseudo-inertia about the face centre of the discretionary mass of a head of some mass."""
-        rows, frame = _rows(numbers), self._frame
+    def _placed_inertia(self, mass: float, numbers: Floats) -> Floats:
+        """Return the pseudo-inertia about the face centre of the discretionary mass, for a head of a given mass."""
+        rows, frame = _inertia_root(numbers), self._frame
         return (mass - self._shell[3, 3]) * frame @ rows @ rows.T @ frame.T
 
-    def _numbers(self, placed: Floats) -> Floats:
-        """Return the nine numbers of a pseudo-inertia, which is moved into the possible where it is not."""
+    def _placed_variables(self, placed: Floats) -> Floats:
+        """Return the nine variables of a pseudo-inertia, moved to the nearest feasible one if necessary."""
         inverse = np.linalg.inv(self._frame)
         own = inverse @ placed @ inverse.T / placed[3, 3]
         first = own[:3, 3]
@@ -168,16 +168,16 @@ class Variables:
         root = np.linalg.cholesky(spread)
         return np.array([*first, *(root[place] for place in _ROOT)])
 
-    def _add_placed(self, slopes: Floats, point: Floats, by_mass: float | None) -> None:
-        """Add the derivatives of the mass properties to those of the fields."""
+    def _add_placed_slopes(self, slopes: Floats, point: Floats, by_mass: float | None) -> None:
+        """Fill in the derivatives of the mass properties."""
         mass = self.club(point)["mass"]
         numbers, frame = point[-PLACED:], self._frame
-        rows, loose = _rows(numbers), mass - self._shell[3, 3]
-        values = mass_properties(self._shell + self._placed(mass, numbers))
+        rows, loose = _inertia_root(numbers), mass - self._shell[3, 3]
+        values = mass_properties(self._shell + self._placed_inertia(mass, numbers))
         by_values = pseudo_inertia_derivatives(values)
         forward = np.array([[each[entry] for each in by_values] for entry in _ENTRIES])
-        empty = _rows(np.zeros(PLACED))
-        slopes_of_rows = [_rows(each) - empty for each in np.eye(PLACED)]
+        empty = _inertia_root(np.zeros(PLACED))
+        slopes_of_rows = [_inertia_root(each) - empty for each in np.eye(PLACED)]
         changes = [loose * frame @ (each @ rows.T + rows @ each.T) @ frame.T for each in slopes_of_rows]
         columns = list(range(self.count - PLACED, self.count))
         if by_mass is not None:
@@ -185,13 +185,13 @@ class Variables:
             columns.append(list(self.bounds).index("mass"))
         wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
-        slopes[np.ix_(places, columns)] = _solved(forward, wanted)
+        slopes[np.ix_(places, columns)] = _solve_scaled(forward, wanted)
 
 
 def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: str) -> None:
-    """Refuse bounds of the face or the lie that no club has; ``place`` is where a file gives them.
+    """Raise an error for impossible bounds of the face or the lie; ``place`` is their place in a file.
 
-    What the characteristic time may be depends on the mass properties, and what these may be on each other.
+    Bounds of the characteristic time and of mass properties depend on each other and are not checked here.
     """
     for name in ("loft", "bulge", "roll", "lie"):
         for value in bounds.get(name, ()):
@@ -206,15 +206,15 @@ def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: s
                     raise
 
 
-def _solved(forward: Floats, wanted: Floats) -> Floats:
-    """Solve for mass properties of very different sizes, kilograms and kg m2: rows and columns are scaled first."""
+def _solve_scaled(forward: Floats, wanted: Floats) -> Floats:
+    """Solve a linear system for mass properties, scaling rows and columns first since their sizes differ widely."""
     rows = 1.0 / np.abs(forward).max(axis=1)
     columns = 1.0 / np.abs(forward * rows[:, None]).max(axis=0)
     return columns[:, None] * np.linalg.solve(forward * rows[:, None] * columns, wanted * rows[:, None])
 
 
-def _rows(numbers: Floats) -> Floats:
-    """Return a root of the pseudo-inertia of a mass of 1, shape (4, 4): its CG, and the root of moments about it."""
+def _inertia_root(numbers: Floats) -> Floats:
+    """Return a root, shape (4, 4), of the pseudo-inertia of a unit mass: its CG and the root of central moments."""
     result = np.zeros((4, 4))
     result[:3, 0] = numbers[:3]
     for number, place in zip(numbers[3:], _ROOT, strict=True):
@@ -224,24 +224,24 @@ def _rows(numbers: Floats) -> Floats:
 
 
 STEPS = 13
-"""Places along each axis of the volume, both ends among them."""
+"""Number of grid places along each axis of the volume, including both ends."""
 ROUNDS = 20
-"""How often the grid is halved, at most: places are then distinguished by a millionth of the volume's size."""
+"""Maximum number of grid refinements, down to a millionth of the volume's size."""
 NEAR = 1e-6
-"""Greatest error of a moment, in parts of mass and half size, with which masses count as a solution."""
+"""Largest error of a moment, relative to mass and half size, accepted in a solution."""
 NEGLIGIBLE = 1e-9
-"""Part of the discretionary mass below which a point mass is left out."""
+"""Share of the discretionary mass below which a point mass is left out."""
 
 
 class PointMass(NamedTuple):
-    """A mass at a place.
+    """A point mass.
 
     Attributes
     ----------
     mass
-        [kg].
+        Mass [kg].
     place
-        Seen from the face centre: to the target, up, to the toe [m].
+        Position relative to the face centre: to the target, up, to the toe [m].
     """
 
     mass: float
@@ -249,24 +249,24 @@ class PointMass(NamedTuple):
 
 
 def placement(envelope: Envelope, pseudo: Floats) -> list[PointMass]:
-    """Return point masses that have the moments of the discretionary mass of a head, the heaviest first.
+    """Return point masses with the moments of a head's discretionary mass, the heaviest first.
 
-    ``pseudo`` is the pseudo-inertia of the head about the face centre, shape (4, 4). There are at most ten masses, as
-    there are ten moments, and none where none were found.
+    ``pseudo`` is the pseudo-inertia of the head about the face centre, shape (4, 4). There are at most ten masses, one
+    per moment; the list is empty if no solution is found.
     """
     volume, placed = envelope.volume, envelope.placed(pseudo)
     inverse = np.linalg.inv(volume.frame)
     own = inverse @ placed @ inverse.T / placed[3, 3]
     step = 2.0 / (STEPS - 1)
-    parts = _inside(volume, _lattice(STEPS) * step)
-    masses, missed = _least_missed(parts, own)
+    parts = _move_inside(volume, _lattice(STEPS) * step)
+    masses, missed = _fit_masses(parts, own)
     for _ in range(ROUNDS):
         if not 1e-3 * NEAR < missed < np.inf:
             break
         step *= 0.5
         parts = parts[masses > NEGLIGIBLE]
-        parts = np.vstack([parts, _inside(volume, (parts[:, None] + _lattice(3) * step).reshape(-1, 3))])
-        masses, missed = _least_missed(parts, own)
+        parts = np.vstack([parts, _move_inside(volume, (parts[:, None] + _lattice(3) * step).reshape(-1, 3))])
+        masses, missed = _fit_masses(parts, own)
     if missed > NEAR:
         return []
     places = np.array(volume.centre) + parts * 0.5 * np.array(volume.size)
@@ -278,26 +278,26 @@ def placement(envelope: Envelope, pseudo: Floats) -> list[PointMass]:
 
 
 def _lattice(count: int) -> Floats:
-    """Return whole numbers about 0, ``count`` along each axis, shape (count^3, 3)."""
+    """Return integer grid points centred on 0, ``count`` along each axis, shape (count^3, 3)."""
     along = np.arange(count, dtype=float) - (count - 1) // 2
     return np.stack(np.meshgrid(along, along, along, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
-def _inside(volume: Volume, parts: Floats) -> Floats:
-    """Return places, in parts of the way to the surface, with those beyond it moved onto it."""
+def _move_inside(volume: Volume, parts: Floats) -> Floats:
+    """Return places, in coordinates with the surface at 1, with those outside moved onto the surface."""
     if volume.shape == "box":
         return np.clip(parts, -1.0, 1.0)
     return parts / np.maximum(np.linalg.norm(parts, axis=1), 1.0)[:, None]
 
 
-def _least_missed(parts: Floats, own: Floats) -> tuple[Floats, float]:
-    """Return the masses at given places, 1 in all, that miss moments the least, and the greatest miss."""
+def _fit_masses(parts: Floats, own: Floats) -> tuple[Floats, float]:
+    """Return the masses at given places, summing to 1, that best match the moments, and the largest error."""
     from scipy.optimize import linprog
 
     rows = np.hstack([parts, np.ones((len(parts), 1))])
     moments = np.array([rows[:, i] * rows[:, j] for i, j in _ENTRIES])
     wanted = np.array([own[entry] for entry in _ENTRIES])
-    # The mass is exact; of the other moments, the sum of what they miss is made least.
+    # The total mass is exact; the sum of the errors of the other moments is minimised.
     free = np.eye(len(_ENTRIES))[:, :-1]
     equal = np.hstack([moments, free, -free])
     cost = np.concatenate([np.zeros(len(parts)), np.ones(2 * free.shape[1])])
