@@ -84,12 +84,6 @@ def test_the_report_does_not_take_the_place_of_the_shots(clubface_, write):
         clubface.evaluate(path, models=["slip"]).write(path.parent)
 
 
-def test_shots_of_another_club_are_refused_unless_a_note_is_enough(clubface_):
-    assert_mistake(clubface_("evaluate", SHOTS, "--club", "driver"), "the shots name 7-iron, not driver")
-    ran = clubface_("evaluate", SHOTS, "--club", "driver", "--models", "slip", "--mismatch", "note")
-    assert "the shots name 7-iron, not driver: is this the right club?" in ran.out
-
-
 def test_mistakes_are_one_message(clubface_, write):
     assert_mistake(clubface_("evaluate", SHOTS, "--models", "slipp"), "did you mean slip")
     assert_mistake(clubface_("evaluate", SHOTS, "--noise", "launch"), "--noise", "name=value")

@@ -19,6 +19,7 @@ from clubface.cli.app import run
         (["shot", "drivr", "--speed", "50 m/s"], ["'drivr'", "did you mean driver"]),
         (["shot", "driver"], ["--speed", "113 mph"]),
         (["shot"], ["CLUB"]),
+        (["shot", "driver", "--speed", "105 mph", "--shaft", "titanium"], ["titanium", "graphite"]),
         (["shot", "driver", "--speed", "50 kg"], ["--speed", "m/s", "mass"]),
         (["shot", "driver", "--speed", "fifty"], ["--speed", "'fifty'"]),
         (["shot", "driver", "--speed", "113 mhp"], ["--speed", "'113 mhp'", "did you mean mph"]),

@@ -290,30 +290,34 @@ def test_the_table_has_every_part_and_can_be_pickled():
     assert "first: ball_speed" in repr(result)
 
 
+BOTH = {name: {"club": "driver", "delivery": DRIVE} for name in "ab"}
+
+
 @pytest.mark.parametrize(
-    ("alternatives", "error", "words"),
+    ("alternatives", "options", "error", "words"),
     [
-        ({"a": {"club": "driver", "delivery": DRIVE}}, InputError, "2 to 24"),
-        ([1, 2], InputError, "a mapping"),
-        ({"a": {"club": "driver"}, "b": {}}, InputError, "delivery"),
-        ({"a": {"club": "driver", "delivery": DRIVE, "bal": 1}, "b": {}}, UnknownNameError, "ball"),
-        ({"a": 1, "b": 2}, InputError, "an Alternative"),
-        ({name: {"club": "driver", "delivery": {"speed": [40.0, 50.0]}} for name in "ab"}, InputError, "single shot"),
-        ({name: {"club": "driver", "delivery": {"speed": 50.0, "toe": "9 cm"}} for name in "ab"}, ShotError, "toe"),
+        ({"a": {"club": "driver", "delivery": DRIVE}}, {}, InputError, "2 to 24"),
+        ([1, 2], {}, InputError, "a mapping"),
+        ({"a": {"club": "driver"}, "b": {}}, {}, InputError, "delivery"),
+        ({"a": {"club": "driver", "delivery": DRIVE, "bal": 1}, "b": {}}, {}, UnknownNameError, "ball"),
+        ({"a": 1, "b": 2}, {}, InputError, "an Alternative"),
+        ({name: {"club": "driver", "delivery": {"speed": [40.0, 50.0]}} for name in "ab"}, {}, InputError, "single"),
+        ({name: {"club": "driver", "delivery": {"speed": 50.0, "toe": "9 cm"}} for name in "ab"}, {}, ShotError, "toe"),
+        ({1: BOTH["a"], 2: BOTH["b"]}, {}, InputError, "name"),
+        ({"": BOTH["a"], "b": BOTH["b"]}, {}, InputError, "name"),
+        ({name: {**each, "model": ["response"]} for name, each in BOTH.items()}, {}, InputError, "model"),
+        ({name: {**each, "model": "all"} for name, each in BOTH.items()}, {}, InputError, "model"),
+        (BOTH, {"nodes": 0}, InputError, "1 to 64"),
+        (BOTH, {"nodes": 5, "split": False}, InputError, "nodes"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_compared_is_refused(alternatives, error, words):
+def test_what_cannot_be_compared_is_refused(alternatives, options, error, words):
     with pytest.raises(error, match=words):
-        clubface.compare(alternatives)
+        clubface.compare(alternatives, **options)
 
 
-def test_points_of_derivatives_are_counted():
-    both = {name: {"club": "driver", "delivery": DRIVE} for name in "ab"}
-    with pytest.raises(InputError, match="1 to 64"):
-        clubface.compare(both, nodes=0)
-    assert clubface.compare(both, split=False).contributions == {}
-    with pytest.raises(InputError, match="nodes"):
-        clubface.compare(both, nodes=5, split=False)
+def test_without_a_split_there_are_no_contributions():
+    assert clubface.compare(BOTH, split=False).contributions == {}
 
 
 def test_what_is_not_among_the_contributions_is_an_error():
@@ -323,16 +327,6 @@ def test_what_is_not_among_the_contributions_is_an_error():
     for change, quantity in (("loft", "carry"), ("toe", "cary")):
         with pytest.raises(UnknownNameError):
             result.of(change, quantity)
-
-
-@pytest.mark.parametrize(
-    ("names", "model", "message"),
-    [((1, 2), "response", "name"), (("", "b"), "response", "name"), ("ab", ["response"], "model"),
-     ("ab", "all", "model")],
-)  # fmt: skip
-def test_names_are_text_and_models_single(names, model, message):
-    with pytest.raises(InputError, match=message):
-        clubface.compare({name: {"club": "driver", "delivery": DRIVE, "model": model} for name in names})
 
 
 def test_rows_of_a_file_are_deliveries(write):

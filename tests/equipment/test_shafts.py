@@ -96,11 +96,8 @@ def test_a_mistake_in_a_shaft_is_named(change, words):
         shaft("graphite").replace(**change)
 
 
-def test_a_time_that_no_contact_has_is_refused():
-    with pytest.raises(InputError, match="50 to 2000 us"):
-        clubface.club("driver").on_shaft("graphite", contact_time="5 s")
-
-
-def test_an_unknown_shaft_names_those_there_are():
+def test_an_unknown_shaft_and_a_time_that_no_contact_has_are_refused():
     with pytest.raises(ClubfaceError, match="graphite"):
         clubface.club("driver").on_shaft("titanium")
+    with pytest.raises(InputError, match="50 to 2000 us"):
+        clubface.club("driver").on_shaft("graphite", contact_time="5 s")

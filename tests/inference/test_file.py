@@ -162,13 +162,6 @@ def test_a_file_of_launches_is_inferred(clubface_, write, tmp_path):
     assert len(rows_of(target)) == 2
 
 
-def test_launches_of_another_club_are_refused_unless_a_note_is_enough(clubface_, write, tmp_path):
-    arguments = ("infer", str(write("club,ball_speed_mph\n3 Wood,150\n")), "--club", "driver", "--samples", "20")
-    target = ("-o", str(tmp_path / "out.csv"))
-    assert_mistake(clubface_(*arguments, *target), "the shots name 3 Wood, not driver")
-    assert "is this the right club?" in clubface_(*arguments, *target, "--mismatch", "note").err
-
-
 def test_mistakes_are_one_message(clubface_, write, tmp_path):
     source = str(write("ball_speed_mph,launch_deg\n159,14\n"))
     assert_mistake(clubface_("infer", *LAUNCH), "--club is missing")

@@ -78,9 +78,13 @@ def test_what_a_degree_is_worth_is_the_derivative_of_the_landing(explained):
         assert worth[f"{name}_{what}"] == pytest.approx((ends[1] - ends[0]) / (2.0 * step) * size, rel=1e-3)
 
 
-def test_what_a_degree_is_worth_is_left_out_of_a_ball_that_does_not_fly():
+def test_a_ball_that_stays_on_the_ground_is_drawn_without_shape_and_worth_of_a_degree():
     topped = clubface.explain("driver", speed="100 mph", attack="-8 deg", loft="2 deg", high="-20 mm", model="standard")
-    assert "explain-worth" not in [each.code for each in topped.reasons()]
+    assert topped.launch.launch < 0.0
+    codes = [each.code for each in topped.reasons()]
+    assert codes[0] == "shot-too-low"
+    assert "explain-worth" not in codes
+    assert len(topped.to_result().pictures()) == 1
 
 
 def test_the_sweet_spot_of_a_flat_face_that_is_struck_squarely_is_ahead_of_the_mass_centre():
@@ -195,13 +199,6 @@ def test_the_picture_has_all_directions_to_scale(shot):
     # The lift stands across the axis and leans to where the ball curves.
     axis = next(each for each in panels[2].marks if each.kind == "line" and each.size == 2.0)
     assert (axis.y[1] < axis.y[0]) == (explained.launch.spin_axis > 0.0)
-
-
-def test_a_ball_that_stays_on_the_ground_is_drawn_and_has_no_shape():
-    topped = clubface.explain("driver", speed="100 mph", attack="-8 deg", loft="2 deg", high="-20 mm", model="standard")
-    assert topped.launch.launch < 0.0
-    assert next(each.code for each in topped.reasons()) == "shot-too-low"
-    assert len(topped.to_result().pictures()) == 1
 
 
 @pytest.mark.parametrize(("changes", "words"), [({"model": "fem"}, "derivatives"), ({"toe": [0.0, 0.01]}, "single")])

@@ -20,11 +20,6 @@ def drive(**values):
     return clubface.impact("driver", speed="113 mph", attack="-1.3 deg", loft="12.8 deg", **values)
 
 
-def test_the_published_drive_carries_as_published():
-    """282 yd are published for 171 mph, 10.4 deg and 2545 rpm; the fit is good for 6 %."""
-    assert clubface.fly(TOUR_DRIVE).get("carry", "yd") == pytest.approx(282.0, rel=0.06)
-
-
 def test_a_launch_flies_as_its_vectors_do():
     launch = drive(toe="9 mm", face="1 deg")
     by_hand = clubface.fly({name: launch.get(name) for name in launch.quantities() if name[-2:] in ("_x", "_y", "_z")

@@ -64,12 +64,6 @@ def test_the_head_is_slowed_and_the_shaft_with_it():
     assert reaction.head_energy < reaction.shaft_energy < 0.0 < reaction.ball_energy
 
 
-def test_it_prints_as_a_table():
-    shown = str(clubface.hosel_reaction(clubface.impact(driver(), speed="113 mph"), "graphite"))
-    for word in ("head", "shaft", "ball", "lost", "impulse"):
-        assert word in shown
-
-
 def test_a_free_head_has_no_reaction():
     with pytest.raises(InputError, match="a free head"):
         clubface.hosel_reaction(clubface.impact("driver", speed="113 mph"))

@@ -9,7 +9,6 @@ import clubface
 from clubface.equipment.models import models
 from clubface.errors import ClubfaceError, InputError, ShotError, UnitError, UnknownNameError
 from clubface.simulation.results import inputs
-from ring_derivatives import ring_errors
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -268,12 +267,3 @@ def test_products_with_vectors_are_those_of_the_whole_table():
     ):
         with pytest.raises(ClubfaceError):
             wrong()
-
-
-def test_derivatives_of_rings_are_as_good_as_the_page_says():
-    usual, largest = ring_errors(shots=8)
-    assert usual.max() < 3e-3
-    assert largest.max() < 1e-2
-    # Steps that do not fit the rings change from stick to slip within, where the derivative is that of either side.
-    coarse, _ = ring_errors(1e-6, shots=8)
-    assert coarse.max() > usual.max()

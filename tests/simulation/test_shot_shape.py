@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import clubface
-from clubface.results.notes import note
 from clubface.simulation.shot_shape import BIG_CURVE, STRAIGHT_CURVE, STRAIGHT_START, curve, shot_shape
 
 DEG = math.pi / 180.0
@@ -85,13 +84,6 @@ def test_a_ball_that_does_not_fly_has_no_name():
     assert flight.carry == 0.0
     assert flight.shot_shape() == ""
     assert shot_shape(np.array([0.0, np.nan]), 1.0, np.array([0.0, 100.0])).tolist() == ["", ""]
-
-
-def test_the_sentence_has_start_curve_landing_and_name():
-    made = note("shot-shape", azimuth=-1.2 * DEG, curve=23.0 * 0.9144, side=18.0 * 0.9144, shape="slice")
-    numbers = ("1.2 deg left", "23 yd right", "18 yd right", "slice")
-    places = [made.sentence.index(each) for each in numbers]
-    assert places == sorted(places)
 
 
 def test_the_start_line_of_a_slice_lies_within_the_picture():

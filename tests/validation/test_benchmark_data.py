@@ -53,10 +53,6 @@ def test_there_are_as_many_shots_as_were_published_and_nothing_is_missing(club, 
     assert len(set(shots.player)) == recipe(club).players
 
 
-def test_shots_are_printed_in_one_line(club, shots):
-    assert str(shots) == f"{SHOTS[club]} benchmark shots of the {club} by {len(np.unique(shots.player))} players"
-
-
 def test_mean_launches_are_those_published(club, shots):
     for name, published in PUBLISHED[club].items():
         mean = np.abs(shots.measured.launches[name]).mean() / UNIT[name]

@@ -8,7 +8,6 @@ import pytest
 
 import clubface
 from clubface import units
-from clubface.equipment.clubs import TOUR_CLUBS
 from clubface.equipment.models import DEFAULT_MODEL, models
 from clubface.errors import InputError, UnknownNameError
 from clubface.present.report import write_folder
@@ -68,10 +67,6 @@ def test_a_club_without_a_head_is_left_out_and_noted():
     assert result.left_out == ["7-wood"]
     assert "7-wood" not in result.clubs
     assert notes(result)["tour-left-out"]["clubs"] == ["7-wood"]
-
-
-def test_every_built_in_club_has_its_row():
-    assert tuple(each.club for each in averages()) == TOUR_CLUBS
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,6 @@ from clubface.inference.evaluation import evaluate, published
 from clubface.inference.evaluation.statistics import TO_MEAN_ABSOLUTE, best_of, fewest_groups, fewest_resamples
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
-from clubface.validation import benchmark_data
 
 RPM, DEG = math.pi / 30, math.pi / 180
 
@@ -224,15 +223,6 @@ def test_the_same_seed_gives_the_same_result_and_another_one_does_not():
         return json.dumps(document)
 
     assert document(0) == document(0) != document(1)
-
-
-def test_shots_of_another_club_are_refused_or_noted():
-    pytest.importorskip("pyarrow")
-    shots = benchmark_data.load("7-iron").measured
-    with pytest.raises(InputError, match="the shots name 7-iron, not driver"):
-        evaluate(shots, club="driver", models="standard", resamples=100)
-    computed = evaluate(shots, club="driver", models="standard", resamples=100, mismatch="note")
-    assert computed.to_result().notes[0].code == "club-may-be-other"
 
 
 def test_one_shot_and_shots_all_alike_leave_empty_what_they_cannot_show():

@@ -137,18 +137,3 @@ def test_more_parameters_than_information_are_refused():
     shots = recorded(2, "volumetric")
     with pytest.raises(InputError, match=r"at most 4, as many as there are different measured values"):
         clubface.identify(shots, club="driver", model="volumetric", quantities=["ball_speed", "launch"], **QUICK)
-
-
-def test_shots_of_another_club_are_refused():
-    shots = recorded(10, "slip")
-    with pytest.raises(InputError, match=r"club is '7-iron'.*dynamic loft is .* static loft of 7-iron 30.5 deg"):
-        clubface.identify(shots, **{**SMALL, "club": "7-iron"})
-    result = clubface.identify(shots, **{**SMALL, "club": "7-iron"}, mismatch="note")
-    assert "median-loft-of-other-club" in {each.code for each in result.notes}
-    named = RecordedShots(
-        deliveries=shots.deliveries, launches=shots.launches, clubs=np.array(["7 Iron"] * 10, dtype=object),
-        rows=shots.rows, source="range.csv", format="clubface",
-    )  # fmt: skip
-    with pytest.raises(InputError, match="the shots name 7 Iron, not driver"):
-        clubface.identify(named, **SMALL)
-    assert clubface.identify(named, **SMALL, only="7 Iron").shots == 10
