@@ -203,7 +203,7 @@ class LinkError(ClubfaceError, ConnectionError):
 class RunError(ClubfaceError, RuntimeError):
     """A run that ended early.
 
-    Of finite elements, what there was until then is kept; or a law of contact of one's own failed.
+    A finite element run, whose results up to that point are kept, or a user-defined contact law that failed.
     """
 
 

@@ -208,7 +208,7 @@ def model_names() -> tuple[str, ...]:
 
 
 def differentiable_model(name: str) -> Model:
-    """Return the model called ``name``, a reduced one or a law of one's own; others have no derivatives of launches."""
+    """Return the reduced model or user-defined law called ``name``; other models have no derivatives of launches."""
     return OWN[name].MODEL if isinstance(name, str) and name in OWN else reduced_model(name, "one with derivatives")
 
 

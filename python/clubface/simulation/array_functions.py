@@ -270,7 +270,7 @@ class ArrayFunctions(ABC, Generic[Array]):
     ) -> tuple[FlightFunction, list[Any]]:
         """Return the flight as a function of the inputs that are arrays of the library, and those arrays."""
         if not isinstance(launch, Mapping):
-            raise InputError("launch", launch, "a mapping of values, as impact of this module returns it")
+            raise InputError("launch", launch, "a mapping of values, such as the result of impact of this module")
         given = {name: value for name, value in launch.items() if value is not None}
         if "velocity_x" in given:  # launch of an impact: its vectors are complete
             given = {

@@ -175,7 +175,9 @@ class LaunchFunction(Differentiable):
         variables = tuple(variables)
         for name in variables:
             if name in inputs() and name not in known:
-                raise InputError(name, Wording("a variable"), "a plain number: there are no derivatives by it")
+                raise InputError(
+                    name, Wording("a variable"), "a plain number; derivatives with respect to it are not available"
+                )
         check_names("variable", variables, known)
         setup, chosen = equipped(model, club, ball, parameters)
         self.club, self.ball = setup.club, setup.ball
@@ -189,9 +191,9 @@ class LaunchFunction(Differentiable):
         if described.kind == "contact":
             step = CONTACT_STEP
             if model not in SMOOTH:
-                once = f"use a model in closed form, such as response: those of {model} are not smooth"
+                once = f"use a model in closed form, such as response: first derivatives of {model} are not smooth"
             elif self.accuracy is None or self.accuracy > CONTACT_ACCURACY:
-                once = f"give accuracy={CONTACT_ACCURACY:g} or less: those of {model} need it"
+                once = f"give accuracy={CONTACT_ACCURACY:g} or less, which second derivatives of {model} need"
         super().__init__(
             {name: known[name] for name in variables}, _rows(outputs, rows), fixed, thread_count(threads), on_error,
             step, once,

@@ -124,7 +124,7 @@ class Air:
         # In an array, an altitude whose pressure is out of range is reported with its flight.
         if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
             limits = units.show_range(allowed.lower, allowed.upper, "hPa")
-            text = f"where the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
+            text = f"one at which the pressure of the standard atmosphere is {limits}, about -1400 to 9100 m"
             raise InputError("altitude", units.show(self.altitude, "m"), text)
 
     def values(self) -> dict[str, NumberOrArray]:
@@ -254,9 +254,9 @@ def _level_wind(wind: Mapping[str, Any]) -> Mapping[str, Any]:
         return wind
     for name in ("wind_x", "wind_z"):
         if name in rest:
-            raise InputError(name, rest[name], "left out where the speed of the wind and its direction are given")
+            raise InputError(name, rest[name], "left out if wind speed and direction are given")
     if wind.get("wind_speed") is None:
-        raise InputError("wind_speed", None, "give it with the direction of the wind")
+        raise InputError("wind_speed", None, "give it along with the wind direction")
     speed = units.parse_values(wind["wind_speed"], "speed", name="wind_speed")
     blows = wind.get("wind_direction")
     angle = units.parse_values(0.0 if blows is None else blows, "angle", name="wind_direction")
@@ -557,7 +557,7 @@ def trajectory(
     """Compute the path of one ball at times at most 0.02 s apart; arguments as for :func:`fly`."""
     columns, shape, varied = flight_columns(launch, air, wind, ground)
     if shape or varied:
-        raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single shot: a trajectory is of one ball")
+        raise InputError("launch", Wording(f"a batch of shape {shape}"), "a single shot: a trajectory follows one ball")
     try:
         arrays = core.trajectory(list(columns.values()))
     except ValueError as error:

@@ -25,20 +25,20 @@ _STEPS = {
     "force_z": ("N", "friction on the ball along z' (towards the toe)"),
     "penetration": ("m", "penetration of ball and face"),
     "sliding_y": ("m/s", "sliding velocity of the ball's surface on the face along y'"),
-    "sliding_z": ("m/s", "the same along z'"),
+    "sliding_z": ("m/s", "sliding velocity of the ball's surface on the face along z'"),
     "contact_area": ("m2", "area of the contact"),
-    "face_depth": ("m", "how far the face has moved inwards, beyond the face that the parameters include"),
+    "face_depth": ("m", "inward displacement of the face, beyond that included in the parameters"),
     "kinetic_energy": ("J", "kinetic energy of both bodies"),
-    "face_energy": ("J", "energy that the face holds by that"),
+    "face_energy": ("J", "elastic energy of the face in that displacement"),
     "layer_energy": ("J", "energy stored between cover and core of the ball"),
-    "normal_work": ("J", "work taken so far by the normal force, stored and dissipated"),
-    "friction_work": ("J", "work taken so far by friction"),
-    "layer_work": ("J", "work taken so far by the damper between cover and core"),
+    "normal_work": ("J", "work absorbed so far by the normal force, stored and dissipated"),
+    "friction_work": ("J", "work absorbed so far by friction"),
+    "layer_work": ("J", "work absorbed so far by the damper between cover and core"),
 }
 _VECTORS = {
     "ball_position": ("m", "centre of the ball from the clubhead's CG at first touch"),
     "ball_velocity": ("m/s", "velocity of the ball"),
-    "ball_spin": ("rad/s", "angular velocity of the ball: all its angular momentum over its inertia"),
+    "ball_spin": ("rad/s", "angular velocity of the ball: its total angular momentum over its inertia"),
     "cover_spin": ("rad/s", "angular velocity of the cover of a ball with two layers, else of the ball"),
     "core_spin": ("rad/s", "angular velocity of the core of a ball with two layers, else of the ball"),
     "club_position": ("m", "clubhead's CG from where it was at first touch"),
@@ -50,7 +50,7 @@ _ATTITUDE = {
 }
 _RINGS = {
     "ring_traction_y": ("Pa", "traction of each ring on the ball along y'"),
-    "ring_traction_z": ("Pa", "the same along z'"),
+    "ring_traction_z": ("Pa", "traction of each ring on the ball along z'"),
     "ring_slip": ("1", "1 where the ring slips, 0 where it sticks or is outside the contact"),
     "ring_inside": ("1", "1 where the ring is inside the contact"),
 }

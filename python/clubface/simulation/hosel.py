@@ -113,7 +113,7 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
         raise InputError("launch", Wording(f"a batch of shape {launch.shape}"), "a single launch")
     values = {name: launch.input(name) for name in ADDED_NAMES}
     if not any(values.values()):
-        allowed = 'one on a shaft, as by clubface.club("driver").on_shaft("graphite")'
+        allowed = 'a club on a shaft, such as clubface.club("driver").on_shaft("graphite")'
         raise InputError("club", Wording(f"{launch.club.name}, a free head"), allowed)
     hand = launch.input("hand")
     # A left-handed head is mirrored in z; angular velocities mirror with the opposite signs.

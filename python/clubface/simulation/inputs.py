@@ -176,7 +176,7 @@ class Delivery:
         off = ~(np.abs(touch.time) <= LONGEST_ADVANCE)
         if off.any():
             first = f"{np.ravel(touch.time)[np.argmax(np.ravel(off))] * 1e3:.3g} ms"
-            allowed = "within 1 ms of first touch at the velocities given, and the head moving towards the ball"
+            allowed = "within 1 ms of first touch at the given velocities, with the head moving towards the ball"
             raise InputError("position", Wording(f"a pose {first} from first touch"), allowed)
         spins = dict(zip(BALL_SPINS, (ball_spin[..., 2], -ball_spin[..., 1], ball_spin[..., 0]), strict=True))
         values = {**touch.values, **(spins if ball_spin.any() else {})}
@@ -360,7 +360,7 @@ def prepare(
     if single:
         arrays = [*laid_out.varied, *(name for name, each in chosen.values.items() if not isinstance(each, float))]
         if arrays:
-            raise InputError(arrays[0], Wording("an array"), f"a single number: {single} is of one shot")
+            raise InputError(arrays[0], Wording("an array"), f"a single number: {single} takes a single shot")
     laid_out, columns = broadcast(laid_out, chosen.columns(), tuple(chosen.values), outputs or 0)
     return Prepared(laid_out, chosen, columns)
 
@@ -552,7 +552,9 @@ def as_values(delivery: DeliveryLike | None, values: Mapping[str, Any]) -> Mappi
         return values
     given = delivery.values() if isinstance(delivery, Delivery) else delivery
     if not isinstance(given, Mapping):
-        raise InputError("delivery", delivery, 'a Delivery or a mapping; single values go by name: speed="113 mph"')
+        raise InputError(
+            "delivery", delivery, 'a Delivery or a mapping; give single values by name, as in speed="113 mph"'
+        )
     return {**given, **values}
 
 

@@ -289,7 +289,7 @@ def _prepared(
     model: str, club: Any, ball: Any, parameters: Any, hand: Any
 ) -> tuple[tuple[str, list[float], list[float]], Callable[[ValueError], Exception]]:
     """Return model, inputs and parameters for the core, and the function that translates its errors."""
-    shot = prepare(model, club, {"speed": SPEED}, ball, parameters, hand, single="a contact that is stepped")
+    shot = prepare(model, club, {"speed": SPEED}, ball, parameters, hand, single="a stepped contact")
     return (model, shot.shots.columns, shot.parameters), shot.error
 
 

@@ -173,7 +173,7 @@ def register_law(
     states: Mapping[str, str | float] | None = None,
     complex_law: Any = None,
     title: str = "",
-    summary: str = "A law of contact of one's own.",
+    summary: str = "User-defined contact law.",
     reference: str = "",
 ) -> Model:
     """Register a user-defined contact law as a model that :func:`impact` and :func:`history` know by ``name``.
@@ -404,7 +404,7 @@ def _fault(given: Sequence[float]) -> tuple[str, str] | None:
     """Return an input that a user-defined law does not support and what to do, or None."""
     named = dict(zip(inputs(), given, strict=True))
     if named["characteristic_time"] != named["included_time"]:
-        return "characteristic_time", "leave it out: a law of one's own describes ball and face together"
+        return "characteristic_time", "leave it out: a user-defined law describes ball and face together"
     return None
 
 

@@ -50,7 +50,7 @@ def flight_conditions(
     state = [show(values["temperature"], "degC"), show(values["pressure"], "hPa", 5)]
     state.append(f"{100.0 * values['humidity']:g}% humidity")
     if altitude is not None:
-        state.append(f"the pressure being that at an altitude of {show(altitude, 'm')}")
+        state.append(f"pressure of the standard atmosphere at an altitude of {show(altitude, 'm')}")
     turf = (
         f"level turf after Penner (2002): tilt of the dent {show(values['ground_tilt'], 'deg', 3)}, friction "
         f"{values['ground_friction']:g} sliding and {values['rolling_friction']:g} rolling, restitution times "
@@ -117,7 +117,7 @@ def _caveats(launches: Sequence[Launch]) -> Iterator[str]:
         # The head of a club with a mesh is that mesh; reduced models use the rigid club only.
         if hasattr(each.club, "head") and not each.club.characteristic_time and each.model not in MODULES:
             yield (
-                f"The face of {each.club.name} is taken as rigid by the model {each.model}: finite elements alone"
-                " strike its mesh, and its file gives no characteristic time."
+                f"The model {each.model} treats the face of {each.club.name} as rigid: its file gives no"
+                " characteristic time, and only finite elements use its mesh."
             )
         yield from (str(text) for text in each.provenance["parameters"]["caveats"])

@@ -393,7 +393,7 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
         raise InputError(f"{what}s", names, "a list of names") from None
     check_names(what, names, known)
     if len(set(names)) < len(names):
-        raise InputError(f"{what}s", names, "a list of different names")
+        raise InputError(f"{what}s", names, "a list of names without repeats")
     return names
 
 

@@ -105,7 +105,7 @@ def agreeing(given: Mapping[str, Any]) -> Spins:
     for first in spins.contradictions:
         words = " and ".join(map(entry_text, first.given, first.given.values()))
         at = f"shot {first.place}: " if len(given[next(iter(first.given))]) > 1 else ""
-        raise InputError("spin", Wording(f"{at}{words}"), f"one vector, with {VECTOR}; give two of them that agree")
+        raise InputError("spin", Wording(f"{at}{words}"), f"consistent, with {VECTOR}; give two values that agree")
     return spins
 
 
@@ -134,15 +134,15 @@ def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
     if BACK in completed and SIDE in completed:
         return completed[BACK], completed[SIDE], assumed
     if AXIS in names:
-        needs = "give total_spin with it" if names == [AXIS] else "give total_spin too: the axis says too little of it"
+        needs = "give total_spin with it" if names == [AXIS] else "give total_spin too: the axis does not determine it"
         raise InputError(AXIS, Wording(show(float(flat[AXIS][0]), "deg")), needs)
     if BACK in names:
-        return completed[BACK], 0.0, "the sidespin is not known and taken as 0: the ball does not curve"
+        return completed[BACK], 0.0, "the sidespin is unknown and assumed to be 0: the ball does not curve"
     if TOTAL in names:
-        return completed[TOTAL], 0.0, "the spin axis is not known and taken as level: the ball does not curve"
+        return completed[TOTAL], 0.0, "the spin axis is unknown and assumed to be level: the ball does not curve"
     if SIDE in names:
-        return 0.0, completed[SIDE], "the backspin is not known and taken as 0"
-    return 0.0, 0.0, "the spin is not known and taken as 0: the ball has no lift"
+        return 0.0, completed[SIDE], "the backspin is unknown and assumed to be 0"
+    return 0.0, 0.0, "the spin is unknown and assumed to be 0: the ball has no lift"
 
 
 def notes_of(spins: Spins, places: Iterable[int], row_word: str = "line") -> tuple[Note, ...]:
