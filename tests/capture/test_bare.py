@@ -210,7 +210,7 @@ def test_a_swing_without_a_ball_has_no_impact():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"frames": (1, 9000)}, r"frames of the address are \[1, 9000\]; the file has frames 1 to \d+: correct frames"),
+        ({"frames": (1, 9000)}, r"frames of the address are \[1, 9000\].* frames 1 to \d+;"),
         ({"frames": (500, 560)}, None),
     ],
 )
@@ -222,7 +222,7 @@ def test_frames_of_the_address_can_be_named(change, message):
             FileError, match=r"not plausible.*frames under \[calibration\].*frames 500 to 560"
         ) as refused:
             read(swing, recorded, **change)
-        assert "turn the axis" not in str(refused.value)  # that would not help
+        assert "as the target axis" not in str(refused.value)  # that would not help
         return
     with pytest.raises(FileError, match=message):
         read(swing, recorded, **change)
@@ -231,7 +231,7 @@ def test_frames_of_the_address_can_be_named(change, message):
 def test_a_file_without_an_address_says_what_to_do():
     swing, recorded = bare(5)
     late = replace(recorded.recording, positions=recorded.recording.positions[230:])
-    with pytest.raises(FileError, match=r'the clubhead nowhere rests near the ground .* or give by = "swing"'):
+    with pytest.raises(FileError, match=r'no address: .* by = "swing"'):
         capture(late, prepare(bare_map(swing.club, CAMERAS), swing.club))
     assert capture(late, prepare(bare_map(swing.club, CAMERAS, "swing"), swing.club)).delivery.speed > 40.0
 
@@ -275,7 +275,7 @@ def test_a_mapping_of_a_bare_file_reads_back_as_it_was_written():
         ({"by": "adress"}, r"unknown by 'adress' \(did you mean address\?\)"),
         (
             {"by": "swing", "ground": 0.0},
-            r'ground is 0\.0; leave it out, or give by = "address": by = "swing"',
+            r'ground is 0\.0; leave it out, or give by = "address"; by = "swing"',
         ),
         ({"by": "positions"}, "without the position of A, B, C"),
         ({"frames": (90, 1)}, r"the first and the last frame of the address"),
@@ -295,7 +295,7 @@ def test_a_mapping_that_lacks_its_calibration_says_which_there_are(changes, mess
     [
         ("S:C1 = 'seen'", r'map\.toml:2: this is not TOML.*put the name into quotes: "S:C1" = \.\.\.'),
         ("C = 'seen'\n[assumed]\nface = '-2 deg'", r"map\.toml:4: assumed.face is '-2 deg'; it must be above 0"),
-        ("S.C1 = 'seen'", r"map\.toml:2: cluster.S is .* in quotes where the name has a point"),
+        ("S.C1 = 'seen'", r"map\.toml:2: cluster.S is .* in quotes"),
     ],
 )
 def test_a_line_that_cannot_be_used_is_told_with_what_to_write(line, message):

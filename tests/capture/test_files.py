@@ -58,7 +58,7 @@ def test_invalid_points_and_points_at_the_origin_were_not_seen(file):
 
 def test_a_marker_is_found_by_its_name_or_after_that_of_its_subject(recording):
     assert np.array_equal(recording.marker("HEAD2"), recording.positions[:, 1], equal_nan=True)
-    with pytest.raises(FileError, match=r"no markers HEAD3, TOE here; the file has: HEAD1, club:HEAD2, BALL"):
+    with pytest.raises(FileError, match=r"no markers HEAD3, TOE; it has: HEAD1, club:HEAD2, BALL"):
         recording.markers(["HEAD1", "HEAD3", "TOE"])
     double = Recording(labels=("a:X", "b:X"), positions=np.zeros((1, 2, 3)), rate=1.0)
     with pytest.raises(FileError, match=r"marker X may be any of a:X, b:X"):
@@ -187,11 +187,11 @@ def test_the_template_is_a_mapping():
         ('high = "18 mm"', 'hgh = "18 mm"', 23, "unknown key .hgh. .did you mean high"),
         ('toe = "30 mm", ', "", 22, r"keys of \[face.FACE_TOE\] are missing: toe"),
         ('toe = "30 mm"', 'toe = "30 deg"', 22, "in m or mm"),
-        ('"0.3 mm"           # how', '"-1 mm" # how', 16, "accuracy is '-1 mm'; it must be from 0 mm"),
-        ('target = "+y"', 'target = "+z"', 31, r"across the axis that points up, \+z"),
+        ('"0.3 mm"           # standard', '"-1 mm" # standard', 16, "accuracy is '-1 mm'; it must be from 0 mm"),
+        ('target = "+y"', 'target = "+z"', 31, r"perpendicular to the up axis, \+z"),
         ('target = "+y"', 'target = "north"', 31, r"one of \+x, -x"),
         ('target = "+y"', "target = 3", 31, "an axis in quotes or a list of two markers"),
-        ('marker = "BALL"', "", 25, "without a marker and a position; give one, or leave the whole table out"),
+        ('marker = "BALL"', "", 25, "without marker and position"),
         ('file = "calibration.c3d"', "file = 7", 15, "calibration.file is 7; it must be text in quotes"),
         ('# unit = "mm"', 'unit = "furlong"', 33, "in m or mm"),
         ("# [noise]", '[noise]\nmarker = "0 mm"', None, "marker is '0 mm'; it must be above 0 mm"),
@@ -244,8 +244,8 @@ def test_a_file_that_is_one_byte_too_short_is_refused_and_one_that_just_fits_is_
 def test_a_header_of_another_number_of_points_or_of_frames_that_end_first_is_damaged(file):
     content = file.read_bytes()
     for at, value, message in (
-        (2, 4, "the header says 4 points, POINT:USED 3"), (2, 0, "the file holds 0 points"),
-        (6, 41, "they end first"),
+        (2, 4, "4 points, POINT:USED 3"), (2, 0, "0 points"),
+        (6, 41, "data end before"),
     ):  # fmt: skip
         spoiled = bytearray(content)
         struct.pack_into("<H", spoiled, at, value)

@@ -146,14 +146,14 @@ def test_a_cluster_of_which_most_frames_fit_in_no_order_is_refused():
     """A third of the frames fits and shows that the cluster is the right one; two markers are moved in the others."""
     seen = moving(90)[0]
     seen[30:, :2] += np.array([[0.02, 0.0, 0.0], [0.0, 0.02, 0.0]])
-    with pytest.raises(FileError, match="left over in the usual frame; is this the right club"):
+    with pytest.raises(FileError, match="do not fit the mapping"):
         track(SHAPE, seen, NAMES, "x")
 
 
 def test_the_reason_names_the_exchanged_markers_although_some_frames_fit():
     seen = moving(40)[0]
     seen[19:, [0, 1]] = seen[19:, [1, 0]]
-    with pytest.raises(FileError, match="they fit with A and B exchanged: correct the mapping"):
+    with pytest.raises(FileError, match="they fit with A and B exchanged, so correct"):
         track(SHAPE, seen, NAMES, "x")
 
 
@@ -180,9 +180,9 @@ def test_an_exchange_that_a_regular_cluster_hides_is_returned():
     ("spoil", "message"),
     [
         (lambda seen: seen * 1000.0, r" 1000 times as far apart.*unit of length"),
-        (lambda seen: seen * [1, 1, -1], r"mirror image fits: the hand"),
-        (lambda seen: seen[:, [1, 0, 2, 3, 4]], r"they fit with A and B exchanged: correct the mapping"),
-        (lambda seen: seen * [1.5, 0.6, 1.0], r"left over in the usual frame; is this the right club"),
+        (lambda seen: seen * [1, 1, -1], r"mirror image fits"),
+        (lambda seen: seen[:, [1, 0, 2, 3, 4]], r"they fit with A and B exchanged, so correct"),
+        (lambda seen: seen * [1.5, 0.6, 1.0], r"check that this is the right club"),
         (
             lambda seen: np.where(np.arange(5)[:, None] < 2, seen, np.nan),
             r"no frame of 80 shows 3 markers.*A in 80.*E in 0",
@@ -199,10 +199,10 @@ def test_the_reason_is_found_in_the_frames_that_show_all_markers():
     seen = moving()[0] * [1, 1, -1]
     seen[np.arange(10), np.arange(10) % 5] = np.nan
     seen[:10, 0] = np.nan
-    with pytest.raises(FileError, match="mirror image fits: the hand"):
+    with pytest.raises(FileError, match="mirror image fits"):
         track(SHAPE, seen, NAMES, "x")
     seen[:, 0] = np.nan  # no frame shows all: nothing more can be told
-    with pytest.raises(FileError, match="is this the right club"):
+    with pytest.raises(FileError, match="check that this is the right club"):
         track(SHAPE, seen, NAMES, "x")
 
 

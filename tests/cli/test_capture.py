@@ -131,7 +131,7 @@ def test_a_mistake_is_one_message(clubface_, folder, change, words):
 
 def test_files_without_a_swing_end_with_status_two(clubface_, folder):
     ran = clubface_(*arguments(folder, "calibration.c3d"))
-    assert_mistake(ran, "no marker BALL here; the file has: HEAD1")
+    assert_mistake(ran, "no marker BALL; it has: HEAD1")
     assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--gaps", "0.9"), "gaps", "0.5")
     assert_mistake(clubface_("capture", "synthesize", "-o", str(folder), "--count", "0"), "count")
 

@@ -1,7 +1,7 @@
-"""Motion capture: from C3D files of swings to deliveries with their uncertainty.
+"""Motion capture: deliveries with uncertainty from C3D files of swings.
 
-:func:`read_swing` reads one file and :func:`read_swings` reads many. A :class:`MarkerMap` says which marker is what.
-``clubface.capture.synthetic`` makes swings whose delivery is known.
+:func:`read_swing` reads one file, :func:`read_swings` many. A :class:`MarkerMap` identifies the markers.
+``clubface.capture.synthetic`` generates swings with known deliveries.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The ball in a recording: where it lies, when it leaves, and how it flies off."""
+"""The ball in a recording: its resting place, its departure, and its flight."""
 
 from __future__ import annotations
 
@@ -10,36 +10,36 @@ import numpy as np
 from clubface.capture.rotations import Array, visible
 
 REST = 0.25
-"""Seconds before it leaves over which the place of the ball is averaged."""
+"""Time before departure over which the ball's position is averaged [s]."""
 SHORTEST = 5
-"""Frames in a row that make a resting place."""
+"""Minimum number of consecutive frames for a resting place."""
 LEAST_SPEED = 1.0
-"""Speed below which a ball lies still [m/s]."""
+"""Speed below which a ball counts as at rest [m/s]."""
 TIMES_USUAL = 6.0
-"""How many times the lower quartile of its steps a ball must move in a frame to have been hit: 6.6 standard deviations
-of Gaussian noise."""
+"""A ball counts as hit if it moves in one frame by this multiple of the lower quartile of its steps; for Gaussian noise
+this is 6.6 standard deviations."""
 FREE = 0.6e-3
-"""Time after first touch from which it flies freely [s]; measured impacts last 0.4 to 0.5 ms."""
+"""Time after first touch from which the ball flies freely [s]; measured impacts last 0.4 to 0.5 ms."""
 LONGEST = 0.03
-"""Seconds of flight that are used: drag takes less than 1% of the speed."""
+"""Length of flight that is used [s]; drag then reduces the speed by less than 1%."""
 GRAVITY = 9.80665
 
 
 class RestingBall(NamedTuple):
-    """A ball before impact.
+    """A ball at rest before impact.
 
     Attributes
     ----------
     centre
-        [m], shape (3,).
+        Centre [m], shape (3,).
     noise
-        Standard deviation of one frame along an axis [m].
+        Standard deviation of a single frame along an axis [m].
     frames
-        Frames averaged.
+        Number of frames averaged.
     span
-        The first and the last frame in which it is seen to lie there.
+        First and last frame in which it is seen at rest there.
     departure
-        The first frame in which it has moved, or None where it is not seen to.
+        First frame in which it has moved; None if it is not seen to move.
     """
 
     centre: Array
@@ -55,14 +55,14 @@ class Launched(NamedTuple):
     Attributes
     ----------
     velocity
-        At first touch, had it flown from there [m/s], shape (3,).
+        Velocity extrapolated back to first touch [m/s], shape (3,).
     covariance
-        Of the velocity, shape (3, 3).
+        Covariance of the velocity, shape (3, 3).
     start
-        When a ball of that velocity would have left its place at once [s]; a real one gathers speed over the contact,
-        so this is near the middle of it.
+        Time at which a ball with this velocity would have left its place instantly [s]. A real ball accelerates during
+        the contact, so this is near the middle of the contact.
     frames
-        Frames that show the flight.
+        Number of frames that show the flight.
     """
 
     velocity: Array
@@ -72,9 +72,9 @@ class Launched(NamedTuple):
 
 
 def resting_places(seen: Array, rate: float) -> list[RestingBall]:
-    """Return where the ball lies still, the last place first: it may be carried about before it is hit.
+    """Return the places where the ball lies still, last place first; it may be moved before it is hit.
 
-    ``seen`` is its centre in every frame [m], shape (frames, 3), NaN where it is not seen, at ``rate`` frames a second.
+    ``seen`` is its centre in every frame [m], shape (frames, 3), NaN where not seen; ``rate`` is in frames per second.
     """
     known = np.flatnonzero(visible(seen))
     if not len(known):
@@ -96,9 +96,9 @@ def resting_places(seen: Array, rate: float) -> list[RestingBall]:
 
 
 def flight(seen: Array, times: Array, ball: RestingBall, touch: float) -> Launched | None:
-    """Fit the first frames of the flight with a straight line under gravity; None with fewer than two of them.
+    """Fit a straight line with gravity to the first frames of the flight; None if there are fewer than two.
 
-    ``seen`` is the centre of the ball in every frame [m], in world axes, and ``touch`` the time of first touch [s].
+    ``seen`` is the ball's centre in every frame in world axes [m]; ``touch`` is the time of first touch [s].
     """
     t = times - touch
     chosen = np.flatnonzero(visible(seen) & (t > FREE) & (t < LONGEST))[:20]

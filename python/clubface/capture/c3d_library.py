@@ -1,4 +1,4 @@
-"""What ezc3d finds in a C3D file; run in a process of its own, see :mod:`clubface.support.processes`."""
+"""Reading of C3D files with ezc3d; runs in its own process, see :mod:`clubface.support.processes`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ TEXTS = ("LABELS", "LABELS2", "LABELS3", "UNITS")
 
 
 def contents(path: str) -> dict[str, Any]:
-    """Return ``points``, shape (4, points, frames), NaN where one is marked invalid; ``rate`` [Hz]; texts by name."""
+    """Return ``points``, shape (4, points, frames), NaN where marked invalid; ``rate`` [Hz]; and texts by name."""
     result = ezc3d.c3d(path)
     group = result["parameters"].get("POINT", {})
     return {

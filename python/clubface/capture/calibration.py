@@ -1,14 +1,14 @@
-"""Calibration: where the markers sit on the club, as given, from face points, from the address, or from the swing.
+"""Calibration: marker positions on the club, given, or derived from face points, the address, or the swing itself.
 
-At address the head rests on the ground behind the ball, with the loft and lie it was made with. That the player aims
-the face at the target, and holds the shaft as the maker meant it, is an assumption, whose standard deviations go into
-every delivery read with it. At impact the head loses what momentum the ball gains, and the ball flies off near the
-face normal, so that loft and face angle follow from the direction in which the head is slowed. The impact says nothing
-about the lie, which is assumed to be that of the club; this is good to a few degrees, on which speed, attack angle,
-path and rates hardly depend.
+At address the head rests on the ground behind the ball with its built loft and lie. That the player aims the face at
+the target and holds the shaft as designed is assumed; the standard deviations of these assumptions enter every delivery
+that depends on them. At impact the head loses the momentum that the ball gains, and the ball leaves nearly along the
+face normal, so loft and face angle follow from the direction in which the head is slowed. The impact gives no
+information on the lie, which is taken as the club's; that is good to a few degrees, and speed, attack angle, path and
+rates hardly depend on it.
 
-With the attitude known roughly at one instant, the rest is a small least-squares problem in the six coordinates of the
-club against its markers, with a row for each thing known.
+Once the attitude is roughly known at one instant, the rest is a small least-squares problem for the six coordinates of
+the club relative to its markers, with one row per known quantity.
 """
 
 from __future__ import annotations
@@ -45,26 +45,27 @@ from clubface.results.notes import Note, note
 from clubface.support.checks import without_warnings
 
 MISPLACED = 3e-3
-"""Metres; face points that fit the face so badly are wrongly named or placed."""
+"""Misfit above which face points are considered misnamed or misplaced [m]."""
 
 
 class Registration(NamedTuple):
-    """The cluster on the club.
+    """Registration of the marker cluster on the club.
 
     Attributes
     ----------
     names
-        The markers.
+        Names of the markers.
     shape
-        Their places from the CG, in club axes with z towards the toe [m], shape (markers, 3).
+        Marker positions from the CG, in club axes with z towards the toe [m], shape (markers, 3).
     covariance
-        Of the place and turn of the club against the cluster [m, rad], in club axes about the CG, shape (6, 6).
+        Covariance of the club's position and rotation relative to the cluster [m, rad], in club axes about the CG,
+        shape (6, 6).
     misfit
-        Root mean square of what is left between the face points and the face [m]; NaN without any.
+        Root mean square residual of the face points [m]; NaN without any.
     notes
-        What a reader should know.
+        Caveats for the reader.
     geometry
-        How it is known.
+        How the registration is known.
     """
 
     names: tuple[str, ...]
@@ -76,7 +77,7 @@ class Registration(NamedTuple):
 
 
 def given_positions(mapping: MarkerMap, club: Club) -> Registration:
-    """Return the cluster whose positions the mapping gives."""
+    """Return the registration for marker positions given in the mapping."""
     names = tuple(mapping.cluster)
     shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
     covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
@@ -85,34 +86,31 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster as it is seen together with the points of the face.
+    """Return the registration from a trial that shows the cluster together with face points.
 
-    In every frame of the calibration trial that shows all points of the face, their attitude and position turn the
-    cluster into club axes. The mean over these frames is the cluster. The noise of the markers averages out over the
-    frames; errors in the places of the face points do not. ``turn`` is the rotation from the laboratory to the world,
-    mirrored for a left-hander, shape (3, 3). It is a :class:`FileError` where markers are missing or never seen
-    together, or where the points do not fit the face.
+    In every frame that shows all face points, their pose transforms the cluster into club axes; the result is the mean
+    over these frames. Marker noise averages out over the frames, errors in the positions of face points do not.
+    ``turn`` is the rotation from laboratory to world axes, mirrored for a left-hander, shape (3, 3). Raises FileError
+    if markers are missing or never seen together, or if the face points do not fit the face.
     """
     local = _face_points(mapping, club)
     faces = recording.markers(mapping.face) @ turn.T
     cluster = recording.markers(mapping.cluster) @ turn.T
     whole = np.all(visible(faces), axis=-1)
     if not whole.any():
-        raise FileError(
-            recording.path, None, f"no frame shows all points of the face at once: {', '.join(mapping.face)}"
-        )
+        raise FileError(recording.path, None, f"no frame shows all face points at once: {', '.join(mapping.face)}")
     check_scale(local, faces[whole], recording.path)
     poses = fit_poses(local, faces[whole])
     if not np.isfinite(poses.position).all():
-        raise FileError(recording.path, None, f"the points of the face lie on a line: {', '.join(mapping.face)}")
+        raise FileError(recording.path, None, f"the face points lie on a line: {', '.join(mapping.face)}")
     freedom = int(degrees_of_freedom(poses.residuals).sum())
     misfit = float(np.sqrt((poses.residuals**2).sum() / freedom))
     if misfit > MISPLACED:
         worst = list(mapping.face)[int(np.argmax(np.linalg.norm(poses.residuals.mean(0), axis=-1)))]
         raise FileError(
             recording.path, None,
-            f"the points of the face miss their places by {units.fixed(misfit, 'mm', 1)}, most of all {worst}: is this"
-            f" the calibration of {club.name}, and are toe, high and standoff those of the markers?",
+            f"the face points miss their positions by {units.fixed(misfit, 'mm', 1)}, most of all {worst}; check that"
+            f" this is the calibration of {club.name}, and that toe, high and standoff are those of the markers",
         )  # fmt: skip
     arms = cluster[whole] - poses.position[:, None]
     turned = np.einsum("kij,kmi->kmj", poses.rotation, arms)
@@ -122,7 +120,7 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     if len(names) < FEWEST:
         raise FileError(recording.path, None, f"no frame shows the face together with: {', '.join(absent)}")
     shape = np.nanmean(turned[:, counts > 0], axis=0)
-    # The face points' own frame scatters by noise; what their places are wrong by is the same in every frame.
+    # The face points' frame scatters with noise; errors in their positions are the same in every frame.
     noise = mapping.noise if mapping.noise is not None else _scatter(turned)
     frames = float(whole.sum())
     face_part = np.linalg.inv(pose_information(local, np.eye(3)[None], np.ones((1, len(local))))[0])
@@ -136,13 +134,13 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     notes = (note("capture-markers-not-calibrated", markers=absent),) if absent else ()
     parts = (
         Known("markers from the face", "measured", "toe", deviations=[misfit]),
-        Known("points of the face", "given", "toe", deviations=[mapping.position_deviation]),
+        Known("face points", "given", "toe", deviations=[mapping.position_deviation]),
     )
     return Registration(names, shape + np.array(club.cg), about_cg @ covariance @ about_cg.T, misfit, notes, parts)
 
 
 def _face_points(mapping: MarkerMap, club: Club) -> Array:
-    """Return the places of the face's calibration points from the face centre, in club axes [m]."""
+    """Return the positions of the face points from the face centre, in club axes [m]."""
     result = []
     for name, point in mapping.face.items():
         if abs(point.toe) > 0.5 * club.face_width or abs(point.high) > 0.5 * club.face_height:
@@ -153,42 +151,42 @@ def _face_points(mapping: MarkerMap, club: Club) -> Array:
 
 
 def _scatter(turned: Array) -> float:
-    """Return the noise of a marker [m] from how the cluster scatters in the frame of the face points.
+    """Estimate the noise of a marker [m] from the scatter of the cluster relative to the face points.
 
-    It holds the noise of that frame as well, and so is not too small.
+    The estimate includes the noise of the face points, so it is not too small.
     """
     often = visible(turned).sum(0) > 1
     return float(np.sqrt(np.mean(np.nanvar(turned[:, often], axis=0, ddof=1)))) if often.any() else 0.0
 
 
 ROUNDS = 8
-"""Rounds of Gauss and Newton; two suffice where the positions given agree with the attitude to a few degrees."""
+"""Number of Gauss-Newton iterations; two suffice if given positions and attitude agree within a few degrees."""
 STEP = 1e-6
-"""Metres and radians; of the central differences, and the least standard deviation of a given position."""
+"""Step of the central differences [m, rad], and minimum standard deviation of a given position [m]."""
 ODD = 4.0
-"""Sum of squares for each row beyond which what is known contradicts itself."""
+"""Sum of squares per row above which the known quantities contradict each other."""
 
 
 class Attitude(NamedTuple):
-    """Loft, face angle and lie of the club at one instant [rad], as for a right-hander, and their covariance."""
+    """Loft, face angle and lie of the club at one instant [rad], for a right-hander, and their covariance."""
 
     values: Array
     covariance: Array
 
 
 def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, height: float | None) -> Registration:
-    """Return the cluster on the club.
+    """Return the registration from marker positions and the club's attitude at one instant.
 
     Parameters
     ----------
     markers
-        The markers of the cluster at that instant [m], in world axes as a right-hander sees them, shape (markers, 3).
+        Marker positions at this instant [m], in world axes for a right-hander, shape (markers, 3).
     attitude
-        That of the club.
+        Attitude of the club.
     mapping, club
-        Gives the markers their names, and some of them their positions; the club with its CG and face.
+        The mapping with names and possibly positions of markers; the club with its CG and face.
     height
-        Height of the ground if the sole rests on it, up in world axes [m], or None.
+        Height of the ground in world axes [m] if the sole rests on it, else None.
     """
     names = tuple(mapping.cluster)
     cg = np.array(club.cg)
@@ -203,11 +201,11 @@ def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, h
     nominal = 0.5 * club.face_height * np.cos(club.loft)
 
     def moved(x: Array) -> Array:
-        """Return the markers in club axes, if the club stands ``x`` from where it was taken to be."""
+        """Return the markers in club axes if the club is displaced by ``x`` from its initial estimate."""
         return (start - x[:3]) @ exponential(x[3:])
 
     def rows(x: Array) -> Array:
-        """Return how far each known thing is off, in its standard deviations."""
+        """Return the residual of each known quantity in standard deviations."""
         turned = assumed @ exponential(x[3:])
         off = [root @ (np.array(angles(turned, club.loft)) - attitude.values)]
         shape = moved(x) - cg
@@ -242,7 +240,7 @@ def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, h
 
 
 def least_squares(rows: Callable[[Array], Array], start: Array) -> tuple[Array, Array]:
-    """Return where the sum of squares of ``rows`` is least, by Gauss and Newton, and the inverse of its information."""
+    """Minimise the sum of squares of ``rows`` by Gauss-Newton; return the solution and its covariance."""
     x = start
     inverse = np.eye(len(x))
     for _ in range(ROUNDS):
@@ -254,7 +252,7 @@ def least_squares(rows: Callable[[Array], Array], start: Array) -> tuple[Array, 
 
 
 def _disagreement(off: Array, known: int, values: Array, attitude: Attitude, deviations: Array) -> tuple[Note, ...]:
-    """Return a note where given positions contradict the assumed attitude."""
+    """Return a note if given positions contradict the assumed attitude."""
     if known < FEWEST or float(off @ off) <= ODD * len(off):
         return ()
     worst = int(np.argmax(np.abs(values - attitude.values) / deviations))
@@ -264,20 +262,20 @@ def _disagreement(off: Array, known: int, values: Array, attitude: Attitude, dev
 
 
 STILL = 0.08
-"""m/s; a head that rests does not move faster over ``WINDOW``. Waggles reach ten times that."""
+"""Speed over ``WINDOW`` below which a head counts as at rest [m/s]; waggles are ten times faster."""
 WINDOW = 0.05
-"""Seconds over which speed is taken, so that the noise of a marker, 1 mm, makes 0.03 m/s."""
+"""Time over which speed is measured [s], so that 1 mm of marker noise amounts to 0.03 m/s."""
 SHORTEST = 0.1
-"""Seconds of rest that make an address: longer than the head pauses at the top of the swing."""
+"""Minimum duration of an address [s]: longer than the pause at the top of the swing."""
 LOW = 0.15
-"""Metres above its lowest place at which a head may rest: not on the shoulder."""
+"""Maximum height of a resting head above its lowest position [m], which excludes the shoulder."""
 
 
 def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster on the club as the address shows it, in a trial of its own or in the swing.
+    """Return the registration from the address, in a separate trial or in the swing.
 
-    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3). It is a
-    :class:`FileError` where the head never rests, or a marker is not seen then.
+    ``turn`` is the rotation from laboratory to world axes, mirrored for a left-hander, shape (3, 3). Raises FileError
+    if the head is never at rest, or a marker is not seen at address.
     """
     assumed = mapping.assumed
     seen = recording.markers(mapping.cluster) @ turn.T
@@ -297,7 +295,7 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
 
 
 def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:
-    """Return the first and the last frame of the address, from 0."""
+    """Return the first and last frame of the address, counted from 0."""
     count = len(seen)
     if mapping.frames is not None:
         first, last = (each - recording.first_frame for each in mapping.frames)
@@ -305,7 +303,7 @@ def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int,
             available = f"{recording.first_frame} to {recording.first_frame + count - 1}"
             raise FileError(
                 recording.path, None,
-                f"frames of the address are {list(mapping.frames)}; the file has frames {available}: correct"
+                f"frames of the address are {list(mapping.frames)}, but the file has frames {available}; correct"
                 f" frames under [calibration] of {mapping.path}",
             )  # fmt: skip
         return first, last
@@ -327,22 +325,22 @@ def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int,
         slowest = "" if np.isnan(speed).all() else f"; it is never slower than {np.nanmin(speed):.2f} m/s"
         raise FileError(
             recording.path, None,
-            f"no address: the clubhead nowhere rests near the ground for {units.fixed(SHORTEST, 'ms', 0)}{slowest}."
-            f' Name the frames of the address under [calibration] of {mapping.path}, or a file that shows it; or give'
+            f"no address: the clubhead never rests near the ground for {units.fixed(SHORTEST, 'ms', 0)}{slowest}."
+            f' Under [calibration] of {mapping.path}, give the frames of the address, or a file that shows it, or'
             ' by = "swing"',
         )  # fmt: skip
     return runs[-1]
 
 
 def _mean(seen: Array, names: tuple[str, ...], recording: Recording, first: int) -> Array:
-    """Return the mean places of the markers over the frames that show all of them, after a fit of their poses."""
+    """Return the mean marker positions over the frames that show all of them."""
     whole = seen[np.all(visible(seen), axis=-1)]
     if len(whole) < 1 or len(names) < FEWEST:
         hidden = [name for name, each in zip(names, np.any(visible(seen), axis=0).tolist(), strict=True) if not each]
         words = f"{', '.join(hidden)} not seen" if hidden else "no frame shows all markers of the cluster"
         raise FileError(
             recording.path, None,
-            f"address from frame {first + recording.first_frame}: {words}; take the marker out of [cluster], or name"
+            f"address from frame {first + recording.first_frame}: {words}; remove the marker from [cluster], or give"
             " other frames under [calibration]",
         )  # fmt: skip
     mean = whole.mean(0)
@@ -352,25 +350,25 @@ def _mean(seen: Array, names: tuple[str, ...], recording: Recording, first: int)
 
 
 DRAWS = 800
-"""Draws of what is not known; some hundred agree with a usual impact, which gives the spread of the angles to 7%."""
+"""Number of random draws of the unknowns; several hundred agree with a usual impact, which gives the spread to 7%."""
 FEWEST_AGREEING = 30
-"""Draws that must agree with a usual impact."""
+"""Minimum number of draws that agree with a usual impact."""
 USUAL_LOFT = {"wood": units.to_si(3.0, "deg"), "hybrid": 0.0, "iron": units.to_si(-7.0, "deg")}
-"""Loft delivered beyond the club's [rad]: drivers are hit upwards, irons with the hands ahead."""
+"""Usual delivered loft minus the club's [rad]: drivers are hit upwards, irons with the hands ahead."""
 TURNED = units.to_si(8.0, "deg")
-"""Standard deviation of the turn of a head from its static attitude at impact, about each axis."""
+"""Standard deviation of the head's rotation from its static attitude at impact, about each axis [rad]."""
 SWING_ROUNDS = 5
-"""Rounds of the search for the face that sends the ball where it went; each leaves a fifth of the error at most."""
+"""Iterations of the search for the face that sends the ball in its direction; each leaves at most 20% error."""
 STEEP = 1.3
-"""Radians; steeper faces are not looked for."""
+"""Limit for loft and face angle in the search [rad]."""
 SHARE = 0.85
-"""Turn of the ball's direction over that of the face: 0.75 to 0.9 in published models."""
+"""Change of the ball's direction per change of the face's direction: 0.75 to 0.9 in published models."""
 
 
 def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording, turn: Array) -> Registration:
-    """Return the cluster on the club as the impact of a swing shows it; a :class:`FileError` where none can be read.
+    """Return the registration from the impact of a swing; raise FileError if the impact cannot be read.
 
-    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    ``turn`` is the rotation from laboratory to world axes, mirrored for a left-hander, shape (3, 3).
     """
     where = recording.path
     followed = followed_alone(mapping, recording, turn)
@@ -387,7 +385,7 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     result = placed(markers, attitude, mapping, club, None)
     deviations = np.sqrt(np.diag(attitude.covariance))
     parts = (
-        Known("loft and face angle at impact, from how the head is slowed and what is usual", "assumed", "face",
+        Known("loft and face angle at impact, from the head's loss of speed and usual values", "assumed", "face",
                  attitude.values[:2].tolist(), deviations[:2].tolist()),
         Known("lie at impact", "assumed", "face", [0.0], deviations[2:].tolist()),
     )  # fmt: skip
@@ -395,7 +393,7 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
 
 
 def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Track:
-    """Return the head through a swing as its markers alone show it, with the mean of the markers as its origin."""
+    """Return the head's track from its markers alone, with their mean as the origin."""
     names = tuple(mapping.cluster)
     seen = recording.markers(names) @ turn.T
     check_seen(seen, names, recording.path)
@@ -405,7 +403,7 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
         hidden = ", ".join(name for name, count in zip(names, counts, strict=True) if not count)
         reason = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
         raise FileError(
-            recording.path, None, f"markers of the cluster: {reason}; take out of [cluster] what is not seen"
+            recording.path, None, f"markers of the cluster: {reason}; remove markers that are not seen from [cluster]"
         )
     first = seen[whole[len(whole) // 2]]
     return track(first - first.mean(0), seen, names, recording.path)
@@ -458,7 +456,7 @@ def _attitude(detected: DetectedImpact, mapping: MarkerMap, club: Club, ball: Ba
 
 
 def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
-    """Return where the mean of the markers lies from the face centre [m], and its standard deviations."""
+    """Return the mean marker position from the face centre [m], and its standard deviations."""
     given = [place for place in mapping.cluster.values() if place is not None]
     if len(given) < len(mapping.cluster):
         return usual_place(club.kind, mapping.assumed)
@@ -467,7 +465,7 @@ def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
 
 def _fails(club: Club) -> str:
     return (
-        f"the head is slowed as if the ball went where no usual impact of {club.name} sends it: is this the right"
-        " club, do target and up point where they should, and do the cluster's positions hold? If so, give"
+        f"the head is slowed as if the ball went where no usual impact of {club.name} sends it; check the club, the"
+        " directions of target and up, and the positions under [cluster]. If they are right, give"
         ' by = "address" in place of "swing"'
     )

@@ -1,4 +1,4 @@
-"""Captured deliveries with their uncertainty, and as a result: values, how they are known, and pictures."""
+"""Captured deliveries with uncertainty; as a result: values, how they are known, and plots."""
 
 from __future__ import annotations
 
@@ -32,18 +32,18 @@ from clubface.units import to_si
 
 
 class Trace(NamedTuple):
-    """A head through a recording, in world axes.
+    """Motion of a head through a recording, in world axes.
 
     Attributes
     ----------
     times
-        Of the frames [s].
+        Times of the frames [s].
     face_centre
-        [m], shape (frames, 3); NaN without a pose.
+        Face centre [m], shape (frames, 3); NaN without a pose.
     loft, face
         Dynamic loft and face angle [rad], shape (frames,).
     residual
-        Root mean square along an axis of what is left between the markers and the head [m], shape (frames,).
+        Root mean square residual between markers and head along an axis [m], shape (frames,).
     ball, radius
         Centre of the ball at rest, shape (3,), and its radius [m].
     """
@@ -59,44 +59,45 @@ class Trace(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CapturedDelivery(Described):
-    """A delivery from motion capture with its uncertainty, in SI units and radians.
+    """A delivery from motion capture with its uncertainty, in SI units.
 
     Attributes
     ----------
     delivery
-        The delivery at first touch, with the signs of :class:`Delivery`.
+        Delivery at first touch, with the signs of :class:`Delivery`.
     uncertainty
         Standard deviation of each value [SI], by name.
     covariance
-        Covariance of the values in the order of the delivery, shape (11, 11). It contains the noise of the markers,
-        what the path may do between the last frame and impact, the uncertainty of the place of the ball, and that of
-        the club against its markers.
+        Covariance of the values in the order of the delivery, shape (11, 11). It includes marker noise, possible
+        deviations of the path between last frame and impact, and the uncertainties of the ball's position and of the
+        club relative to its markers.
     launch
-        ``ball_speed``, ``launch`` and ``azimuth`` [SI] of the ball as it flies off; empty if the flight is not seen.
+        ``ball_speed``, ``launch`` and ``azimuth`` [SI] of the ball; empty if its flight is not seen.
     launch_uncertainty
-        Their standard deviations.
+        Their standard deviations [SI].
     club
-        The club that was delivered.
+        The club.
     estimator
-        Name of the estimator that extended the path to impact.
+        Name of the estimator that extrapolated the path to impact.
     time
-        Time of first touch [s], from the first frame.
+        Time of first touch from the first frame [s].
     frames
-        The numbers of the frames before and after first touch, as the file counts.
+        Numbers in the file of the frames before and after first touch.
     used
-        Number of frames before impact that the estimator used.
+        Number of frames before impact used by the estimator.
     marker_noise
         Standard deviation of a marker along an axis [m].
     marker_noise_freedom
-        Degrees of freedom of that estimate; 0 if the noise was given.
+        Degrees of freedom of this estimate; 0 if the noise was given.
     misfit
-        Residuals of the path divided by the expected ones. Above 1.5 the uncertainty is too small. NaN for ``linear``.
+        Residuals of the path relative to their expected size. Above 1.5 the uncertainty is too small. NaN for
+        ``linear``.
     notes
-        What you should know about the result, warnings first.
+        Caveats about the result, warnings first.
     geometry
-        How markers, club and ball are known: measured, given, or assumed with which standard deviation.
+        How markers, club and ball are known: measured, given, or assumed with a standard deviation.
     trace
-        The head through the recording, for pictures.
+        Motion of the head through the recording, for plots.
     source
         The file.
     """
@@ -121,11 +122,11 @@ class CapturedDelivery(Described):
 
     @property
     def plausible(self) -> bool:
-        """Whether a shot can have this delivery; if not, the first of the notes says what is wrong with it."""
+        """Whether the delivery is physically plausible; if not, the first note says what is wrong."""
         return "capture-not-plausible" not in {each.code for each in self.notes}
 
     def interval(self, name: str, level: float = 0.95) -> tuple[float, float]:
-        """Return the limits [SI] between which a value lies with the probability ``level``."""
+        """Return the interval [SI] that contains a value with probability ``level``."""
         check_choice("delivery value", name, QUANTITIES)
         if not 0.0 < level < 1.0:
             raise InputError("level", level, "between 0 and 1")
@@ -134,13 +135,13 @@ class CapturedDelivery(Described):
         return value - half, value + half
 
     def get(self, name: str, unit: str) -> tuple[float, float]:
-        """Return a value of the delivery and its standard deviation in another unit."""
+        """Return a delivery value and its standard deviation in the given unit."""
         check_choice("delivery value", name, QUANTITIES)
         units.unit(unit, name=name, dimension=OF_CLUB[name])
         return units.from_si(getattr(self.delivery, name), unit), units.from_si(self.uncertainty[name], unit)
 
     def sample(self, count: int, seed: int = 0) -> dict[str, Array]:
-        """Return ``count`` random deliveries from the covariance, as :func:`impact` takes them, by name."""
+        """Draw ``count`` random deliveries from the covariance; return arrays by name, for :func:`impact`."""
         count, seed = check_count("count", count, 1, 2**32), check_count("seed", seed, 0, MOST_SEED)
         check_request(count, 4 * 8 * len(QUANTITIES))
         values = np.array([getattr(self.delivery, name) for name in QUANTITIES])
@@ -148,7 +149,7 @@ class CapturedDelivery(Described):
         return dict(zip(QUANTITIES, drawn.T, strict=True))
 
     def to_result(self) -> Result:
-        """Return it as a result."""
+        """Return the delivery as a result."""
         return captured_result([self])
 
     def __repr__(self) -> str:
@@ -157,15 +158,15 @@ class CapturedDelivery(Described):
 
 LAUNCHES = ("ball_speed", "launch", "azimuth")
 SHOWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
-"""The quantities that are printed of many swings."""
+"""Quantities printed for several swings."""
 BEFORE, AFTER = 0.06, 0.02
-"""Seconds about impact that are drawn of path and face."""
+"""Time before and after impact plotted of path and face [s]."""
 ALONG = (-0.48, 0.24)
-"""Metres along the target line that are drawn of the path: three frames of 360 Hz before impact."""
+"""Range of the path plotted along the target line [m]: three frames at 360 Hz before impact."""
 
 
 def captured_result(captured: Sequence[CapturedDelivery], rejected: Iterable[RejectedRow] = ()) -> Result:
-    """Return the deliveries of one or several swings, and the files that gave none, as a result."""
+    """Return the deliveries of one or several swings, and the files without one, as a result."""
     alone, refused = len(captured) == 1, list(rejected)
     title = f"{captured[0].club.name}, {captured[0].estimator}" if captured else "no swing"
     tables = [_deliveries(captured), _swings(captured), _geometry(captured), _covariances(captured)]
@@ -179,12 +180,12 @@ def captured_result(captured: Sequence[CapturedDelivery], rejected: Iterable[Rej
 
 
 def notes_by_file(captured: Iterable[CapturedDelivery]) -> tuple[Note, ...]:
-    """Return the notes on several swings, each with the name of its file."""
+    """Return the notes of several swings, each with its file name."""
     return tuple(each.of(in_files=[Path(one.source).name]) for one in captured for each in one.notes)
 
 
 def _deliveries(captured: Sequence[CapturedDelivery]) -> Table:
-    """Return the values and their standard deviations, two rows a swing."""
+    """Return the values and their standard deviations, two rows per swing."""
     alone, launches = len(captured) == 1, any(each.launch for each in captured)
 
     def values(name: str) -> list[float]:
@@ -205,7 +206,7 @@ def _deliveries(captured: Sequence[CapturedDelivery]) -> Table:
 
 
 def _swings(captured: Sequence[CapturedDelivery]) -> Table:
-    """Return how each swing was read."""
+    """Return a table of how each swing was read."""
     alone = len(captured) == 1
 
     def texts(name: str, get: Callable[[CapturedDelivery], Any], **options: Any) -> Column:
@@ -229,7 +230,7 @@ def _swings(captured: Sequence[CapturedDelivery]) -> Table:
 
 
 def _geometry(captured: Sequence[CapturedDelivery]) -> Table:
-    """Return how markers, club and ball are known, a row a number; people see what several swings share once."""
+    """Return how markers, club and ball are known, one number per row; rows that swings share are printed once."""
     rows = [
         (each.source, part.name, part.how, part.quantity, value, deviation)
         for each in captured
@@ -249,7 +250,7 @@ def _geometry(captured: Sequence[CapturedDelivery]) -> Table:
 
 
 def _covariances(captured: Sequence[CapturedDelivery]) -> Table:
-    """Return the covariances of the deliveries [SI], a row a quantity."""
+    """Return the covariances of the deliveries [SI], one quantity per row."""
     every = np.concatenate([each.covariance for each in captured])
     return table(
         "covariances", text("swing", [each.source for each in captured for _ in QUANTITIES]),
@@ -259,12 +260,12 @@ def _covariances(captured: Sequence[CapturedDelivery]) -> Table:
 
 
 def swing_picture(swing: CapturedDelivery) -> Picture:
-    """Return path, face and residuals of one swing, by which a reader sees whether to trust the delivery.
+    """Plot path, face angles and residuals of a swing, to judge whether its delivery can be trusted.
 
-    Two panels show the face centre and the ball from the side and from above, frames before impact filled and later
-    ones open; a line has the direction of the head at first touch. Two show dynamic loft and face angle frame by frame,
-    with the delivery and twice its standard deviation. The last shows what is left between the markers and the rigid
-    head in every frame.
+    Two panels show the face centre and the ball from the side and from above, with filled markers before impact, open
+    ones after, and a line in the head's direction at first touch. Two show dynamic loft and face angle in each frame,
+    with the delivery and twice its standard deviation. The last shows the residual between the markers and the rigid
+    head in each frame.
     """
     trace = swing.trace
     time = trace.times - swing.time
@@ -274,7 +275,7 @@ def swing_picture(swing: CapturedDelivery) -> Picture:
             Mark("rule", x=0.0, style=-1),
         ],
         axis("time", "time from first touch", unit="s"), axis("residual", "", like="m", unit="mm", limits=(0.0, None)),
-        "residual of the markers in each frame; dashed: the noise that the deviations are made of",
+        "marker residual in each frame; dashed: the noise used for the standard deviations",
     )  # fmt: skip
     return Picture(
         "swing", "Path of the face centre, dynamic loft, face angle, and residuals of the markers",
@@ -288,7 +289,7 @@ def swing_picture(swing: CapturedDelivery) -> Picture:
 
 
 def _view(swing: CapturedDelivery, time: Array, row: int, up: str, angle: str, title: str) -> Panel:
-    """Return the path of the face centre to the ball, from one side."""
+    """Plot the path of the face centre to the ball, seen from one side."""
     trace = swing.trace
     centre = trace.face_centre - trace.ball
     near = (time > -BEFORE) & (time < AFTER)
@@ -308,7 +309,7 @@ def _view(swing: CapturedDelivery, time: Array, row: int, up: str, angle: str, t
 
 
 def _angle(swing: CapturedDelivery, time: Array, name: str, values: Array) -> Panel:
-    """Return dynamic loft or face angle frame by frame, with the delivery and twice its standard deviation."""
+    """Plot dynamic loft or face angle in each frame, with the delivery and twice its standard deviation."""
     value, deviation = getattr(swing.delivery, name), swing.uncertainty[name]
     low, high = value - 2.0 * deviation, value + 2.0 * deviation
     recent = values[(time > -0.5 * BEFORE) & (time <= 0.0)]
@@ -322,7 +323,7 @@ def _angle(swing: CapturedDelivery, time: Array, name: str, values: Array) -> Pa
 
 
 def _frames(x: Array, y: Array, time: Array) -> list[Mark]:
-    """Return the frames about impact as points, those before it filled and later ones open."""
+    """Return frames near impact as points, filled before it and open after."""
     before, after = (time > -BEFORE) & (time <= 0.0), (time > 0.0) & (time < AFTER)
     return [
         Mark("points", x[before], y[before], label="face centre before impact"),
@@ -337,7 +338,7 @@ def _with_deviation(swing: CapturedDelivery, name: str) -> str:
 
 
 def _limits(values: Array, least: float) -> tuple[float, float]:
-    """Return limits about values with some room, at least ``least``."""
+    """Return axis limits around the values with a margin of at least ``least``."""
     known = values[np.isfinite(values)]
     low, high = float(known.min()), float(known.max())
     room = max(0.08 * (high - low), least)
@@ -345,7 +346,7 @@ def _limits(values: Array, least: float) -> tuple[float, float]:
 
 
 def save_swings(swings: Iterable[CapturedDelivery], path: str | os.PathLike[str]) -> Path:
-    """Write one picture, or several swings as the pages of a PDF; return the file."""
+    """Save the plot of one swing as a picture, or of several as pages of a PDF; return the file."""
     from matplotlib.backends.backend_pdf import PdfPages
 
     from clubface.present.drawing import draw

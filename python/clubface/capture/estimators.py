@@ -1,7 +1,7 @@
-"""Position and velocity of the clubhead at impact from the frames before it: three estimators with one interface.
+"""Estimators of the clubhead's position and velocity at impact from the frames before it, with one interface.
 
-The coordinates of a frame are the position of the CG and the rotation vector from the attitude of the last frame. No
-frame after first touch is used, because impact takes a third of the speed of the head within half a millisecond.
+A frame's coordinates are the CG position and the rotation vector relative to the attitude in the last frame. Frames
+after first touch are not used, since within half a millisecond impact takes away a third of the head's speed.
 """
 
 from __future__ import annotations
@@ -19,33 +19,33 @@ from clubface.support.checks import check_choice
 __all__ = ["ESTIMATORS", "Estimator", "Path", "estimator", "linear", "polynomial", "smoother"]
 
 TIME = 0.01
-"""Seconds; the unit of time of the fits, so that their coefficients are of one size."""
+"""Unit of time of the fits [s], which gives coefficients of similar size."""
 JITTER = 1e-11
-"""Part of its variance added to what a frame wanders by, so that rounding leaves the covariance positive definite even
-where markers are exact; 3e-6 of the standard deviation."""
+"""Fraction added to each frame's variance from the random walk, to keep the covariance positive definite in rounding
+even with exact markers; 3e-6 of the standard deviation."""
 TURN = 2.0
-"""Radians the head may turn within the frames that are used: far enough for the smoother, well below a half turn."""
+"""Maximum rotation of the head within the frames used [rad]: enough for the smoother, well below a half turn."""
 STEADY = 0.25
-"""How much less the rotation wanders than its natural size: a turn at a steady rate about a steady axis has no higher
-derivatives at all, where the position on a circle has them all."""
+"""Reduction of the rotation's random walk from its natural size: a turn at constant rate about a constant axis has no
+higher derivatives, whereas position on a circle has all of them."""
 ROUGHNESS = 0.6
-"""Roughness of the smoother by default; the study shows what it depends on."""
+"""Default roughness of the smoother; the study shows its effect."""
 
 
 class Path(NamedTuple):
-    """The clubhead about one instant, to extrapolate from.
+    """The clubhead's path about one instant, for extrapolation.
 
     Attributes
     ----------
     position
-        Coefficients of (position [m], rotation vector [rad]) in powers of time, the j-th multiplied by (t / TIME)^j /
-        j!, shape (m, 6).
+        Coefficients of (position [m], rotation vector [rad]) in powers of time; the j-th is multiplied by
+        (t / TIME)^j / j!, shape (m, 6).
     rate
-        The same coefficients for the rates [1/TIME], shape (n, 6).
+        Coefficients of their rates [1/TIME], shape (n, 6).
     covariance
-        Covariance of both, one after the other, shape (6 (m + n), 6 (m + n)).
+        Covariance of both stacked, shape (6 (m + n), 6 (m + n)).
     misfit
-        Sum of squared residuals divided by the expected one, for each degree of freedom; NaN if none is left.
+        Sum of squared residuals over its expectation, per degree of freedom; NaN without degrees of freedom.
     """
 
     position: Array
@@ -55,14 +55,14 @@ class Path(NamedTuple):
 
 
 class Estimator(NamedTuple):
-    """One way to extend a path.
+    """A method of extrapolating a path.
 
     Attributes
     ----------
     extend
         A function with the interface of :func:`linear`.
     fewest, most
-        The least number of frames it needs, and the largest number it uses.
+        Minimum number of frames needed, and maximum number used.
     """
 
     extend: Callable[..., Path]
@@ -73,14 +73,14 @@ class Estimator(NamedTuple):
 def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
     """Extrapolate position and velocity along straight lines, after Caldwell and McPhee (2023), section 2.3.
 
-    They do not say over which frames. Here the position goes on from the last frame with the slope from the frame
-    before it. Velocities are central differences, which the last frame does not have, and are extrapolated from the
-    last two that exist.
+    They do not specify the frames. Here position continues from the last frame with the slope from the frame before.
+    Velocities are central differences, which do not exist for the last frame, and are extrapolated from the last two
+    that do.
 
     Parameters
     ----------
     times
-        Times of the last four frames before impact [s], counted from the instant for which the path is wanted.
+        Times of the last four frames before impact [s], relative to the instant of interest.
     coordinates
         Position [m] and rotation vector [rad], shape (frames, 6).
     covariances
@@ -108,35 +108,35 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
 
 
 def polynomial(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
-    """Fit a quartic to the last twenty frames by weighted least squares; the parameters are those of :func:`linear`."""
+    """Fit a quartic to the last twenty frames by weighted least squares; parameters as for :func:`linear`."""
     return fit(times, coordinates, covariances, 4, 0.0)
 
 
 def smoother(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
-    """Smooth the approach as a path whose fourth derivative wanders at random, and extrapolate from its end.
+    """Smooth the approach as a path whose fourth derivative is a random walk, and extrapolate from its end.
 
     The fourth derivatives of position and rotation are random walks driven by white noise. The best estimate of such a
-    path is that of a Kalman filter at its last frame, and equals a smoothing spline of degree nine (Wahba 1978). It is
-    computed in one step, by generalised least squares of a quartic about the instant for which the path is wanted. The
-    errors are those of the markers and, growing backwards in time, those of the random walk. The frames near impact
-    therefore count most, and the noise decides how far back the others count. The uncertainty contains what the path
-    may do between the last frame and impact.
+    path at its last frame is that of a Kalman filter, and equals a smoothing spline of degree nine (Wahba 1978). It is
+    computed in one step, as a generalised least-squares fit of a quartic about the instant of interest, whose errors
+    are those of the markers plus those of the random walk, which grow backwards in time. Frames near impact therefore
+    have the largest weight, and the noise determines how far back others matter. The uncertainty includes possible
+    deviations of the path between the last frame and impact.
 
-    The spectral density of the driving noise has the natural size of a club that turns at the rate w and moves at the
-    speed v: roughness times (v w^4)^2/w in the position, and a quarter of (w^5)^2/w in the rotation.
+    The spectral density of the driving noise scales naturally for a club with rotation rate w and speed v: roughness
+    times (v w^4)^2/w for position, and a quarter of (w^5)^2/w for rotation.
 
     Parameters
     ----------
     times, coordinates, covariances
         As for :func:`linear`.
     roughness
-        How much the path may depart from a quartic; 0 makes it one.
+        How far the path may depart from a quartic; 0 gives a quartic.
     """
     return fit(times, coordinates, covariances, 4, wandering(times, coordinates, roughness))
 
 
 def wandering(times: Array, coordinates: Array, roughness: float) -> Array:
-    """Return the spectral density by which the :func:`smoother` lets position and rotation wander, shape (6,)."""
+    """Return the spectral density of the :func:`smoother`'s random walks in position and rotation, shape (6,)."""
     turning = float(np.linalg.norm(coordinates[-1, 3:] - coordinates[-4, 3:]) / (times[-1] - times[-4])) * TIME
     speed = float(np.linalg.norm(coordinates[-1, :3] - coordinates[-4, :3]) / (times[-1] - times[-4])) * TIME
     return np.repeat([(speed * turning**4) ** 2, STEADY * turning**10], 3) / turning * roughness
@@ -147,17 +147,17 @@ ESTIMATORS = {
     "polynomial": Estimator(polynomial, 8, 20),
     "linear": Estimator(linear, 4, 4),
 }
-"""By name, the default first."""
+"""Estimators by name, the default first."""
 
 
 def estimator(name: str) -> Estimator:
-    """Return an estimator; a :class:`UnknownNameError` lists their names."""
+    """Return an estimator by name; raise UnknownNameError, with all names, if there is none."""
     check_choice("estimator", name, ESTIMATORS)
     return ESTIMATORS[name]
 
 
 def check_roughness(value: object) -> float:
-    """Return the roughness; one that is not positive and finite is an :class:`InputError`."""
+    """Return the roughness; raise InputError unless it is positive and finite."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and 0.0 < value < math.inf:
         return float(value)
     raise InputError("roughness", value, f"a number above 0 (default {ROUGHNESS:g})")
@@ -166,22 +166,22 @@ def check_roughness(value: object) -> float:
 def fit(
     times: Array, z: Array, covariances: Array, degree: int, density: Array | float, common: Array | None = None
 ) -> Path:
-    """Fit a polynomial about time zero whose errors are those of the frames and of a wandering derivative.
+    """Fit a polynomial about time zero with errors from the frames and from a random walk of its highest derivative.
 
     Parameters
     ----------
     times
-        Of the frames [s], ascending, counted from the instant for which the path is wanted.
+        Times of the frames [s], ascending, relative to the instant of interest.
     z
         Coordinates of the frames, shape (frames, n).
     covariances
-        Of them, shape (frames, n, n).
+        Covariances of the frames, shape (frames, n, n).
     degree
-        Of the polynomial, whose derivative of this degree wanders.
+        Degree of the polynomial; the derivative of this degree is a random walk.
     density
-        Spectral density of the wandering, for times in ``TIME``; a number or shape (n,).
+        Spectral density of the random walk, for times in ``TIME``; a number or shape (n,).
     common
-        Errors that all frames share: how coordinates change by one standard deviation of each, shape (frames, n, m).
+        Errors common to all frames: change of the coordinates per standard deviation of each, shape (frames, n, m).
     """
     tau, (count, width) = times / TIME, z.shape
     powers = np.stack([tau**j / math.factorial(j) for j in range(degree + 1)], 1)
@@ -201,7 +201,7 @@ def fit(
     inverse = np.linalg.inv(triangle)
     left = seen - design @ result
     freedom = width * (count - degree - 1)
-    # The rates are the same coefficients, from the second on.
+    # The rates have the same coefficients, from the second on.
     pick = np.concatenate([np.arange(width * (degree + 1)), np.arange(width, width * (degree + 1))])
     coefficients = result.reshape(degree + 1, width)
     covariance = (inverse @ inverse.T)[np.ix_(pick, pick)]
@@ -209,9 +209,9 @@ def fit(
 
 
 def _wandering(back: Array, degree: int) -> Array:
-    """Return the covariance of a ``degree``-fold integrated random walk of unit density at times back from zero.
+    """Return the covariance of a ``degree``-fold integrated random walk of unit density, at times back from zero.
 
-    The integral of ((s - u)(r - u))^degree / degree!^2 over u from 0 to the lesser of s and r, exact by Gauss's rule.
+    The integral of ((s - u)(r - u))^degree / degree!^2 over u from 0 to min(s, r), exact by Gauss quadrature.
     """
     nodes, weights = np.polynomial.legendre.leggauss(degree + 1)
     s, r = back[:, None], back[None, :]

@@ -1,8 +1,8 @@
-"""Impact detected in the path of the clubhead: when the head loses speed, and which way it is pushed.
+"""Detection of impact from the clubhead's path: when the head loses speed, and in which direction it is pushed.
 
-The path before and the path after are each extended to the instant at which they meet. The head keeps its place
-during contact and loses part of its velocity, so both paths cross in the middle of the contact. How well the instant
-is known follows from how well the paths are, divided by the velocity that is lost.
+The paths before and after impact are each extrapolated to the instant at which they meet. During contact the head
+hardly moves but loses part of its velocity, so the paths cross in the middle of the contact. The uncertainty of this
+instant is the uncertainty of the paths divided by the loss of velocity.
 """
 
 from __future__ import annotations
@@ -20,77 +20,78 @@ from clubface.capture.tracking import Track
 from clubface.errors import FileError
 
 CONTACT = 0.45e-3
-"""Seconds; measured impacts of golf balls last 0.4 to 0.5 ms."""
+"""Duration of contact [s]; measured impacts of golf balls last 0.4 to 0.5 ms."""
 CONTACT_DEVIATION = 0.05e-3
-"""Standard deviation of half of it: force rises and falls unevenly, and soft balls stay longer."""
+"""Standard deviation of half the contact [s]: force rises and falls asymmetrically, and soft balls stay longer."""
 LOST = 0.08
-"""Least part of its speed that a head loses at impact: a driver 0.3, a putter 0.2. In a free swing it loses 0.03
-over the same frames."""
+"""Minimum fraction of its speed that a head loses at impact; a driver loses 0.3, a putter 0.2. In a free swing it loses
+0.03 over the same number of frames."""
 BEGUN = 0.01
-"""Part of its speed that a head loses at least from one frame to the next if impact begins between them, but for the
-last twentieth of that time."""
+"""Minimum fraction of speed lost between two frames if impact begins between them, unless it begins in the last
+twentieth of that interval."""
 FAST = 0.5
-"""Part of the greatest speed that a head has at least when it meets the ball."""
+"""Minimum speed at impact, as a fraction of the head's maximum speed."""
 WIDEST = 8
-"""Frames without a pose across which an impact is looked for."""
+"""Maximum number of frames without a pose across which an impact is searched."""
 FEWEST = 5
-"""Frames needed on each side, for the quartic of the smoother."""
+"""Minimum number of frames on each side, for the smoother's quartic."""
 WINDOW, STEPS = 0.02, 12
-"""Seconds on either side through whose speeds a line goes, and how many speeds these are at most."""
+"""Time on either side over which a line is fitted to the speeds [s], and the maximum number of speeds."""
 LEVEL = 0.05
-"""Seconds for which speed must stay down after an impact, and must have come near to what it was before it."""
+"""Time [s] for which speed must stay low after impact, and must have been near its final value before impact."""
 SUDDEN, TOP = 0.5, 1.25
-"""Parts of the speed right before an impact that the speeds of ``LEVEL`` before it reach at least, and at most."""
+"""Range of speeds within ``LEVEL`` before an impact, relative to the speed just before it."""
 CLEAR, TIMES_USUAL = 0.3, 3.0
-"""Mean distance of the speeds from lines before and after impact, at most: part of the speed lost, or times the usual
-one, which is that of the noise."""
+"""Maximum mean distance of the speeds from the lines before and after impact: relative to the speed lost, or to the
+usual distance, which is due to noise."""
 ALIKE = 0.5
-"""Part of the greatest loss of speed that steps near the impact seem to have as well."""
+"""Steps near the impact whose apparent loss exceeds this fraction of the largest loss are candidates too."""
 NEARLY, LOW = 0.9, 0.15
-"""Part of the greatest speed, and metres above its lowest place, with which a head meets the ball at the end of a
+"""Minimum fraction of maximum speed, and maximum height above the lowest position [m], at an impact that ends a
 recording."""
 APART = 0.1
-"""Seconds between two impacts."""
+"""Minimum time between two impacts [s]."""
 IMPOSSIBLE = 100.0
-"""m/s; faster than any clubhead."""
+"""Speed that no clubhead reaches [m/s]."""
 MOST = 40
 LONGEST = 0.05
-"""Seconds after the impact that are used."""
+"""Time after impact that is used [s]."""
 EARLY = 0.3e-3
-"""Seconds that first touch may seem to come before the last frame before it: a few standard deviations."""
+"""Time by which first touch may appear to precede the last frame before it [s]: a few standard deviations."""
 SHARE = 10.0
-"""Weight of the misfit of a path: it counts a freedom, and a frame on the wrong side of impact spoils few of them."""
+"""Weight of the path misfits: they are per degree of freedom, and a frame on the wrong side of impact affects few."""
 ROUNDS = 6
 ODD = 4.0
-"""Times the expected square of the distance at which the paths pass each other, beyond which the instant is taken to be
-less certain."""
+"""Ratio of the squared distance between the paths to its expectation above which the uncertainty of the instant is
+increased."""
 
 
 class DetectedImpact(NamedTuple):
-    """Where and when a head loses speed.
+    """Time and place at which a head loses speed.
 
     Attributes
     ----------
     before, after
-        The frames between which it begins.
+        Frames between which the loss begins.
     touch
-        First touch [s], half a contact before both paths cross.
+        Time of first touch [s], half a contact before the paths cross.
     deviation
-        Standard deviation of that [s].
+        Its standard deviation [s].
     lost
-        Part of the speed that is lost.
+        Fraction of speed lost.
     velocity, later
-        Velocity of the origin of the head before the impact, and of its CG after it [m/s], shape (3,).
+        Velocity of the head's origin before impact, and of its CG after impact [m/s], shape (3,).
     covariance
-        Of the difference of both, shape (3, 3).
+        Covariance of the difference of the two velocities, shape (3, 3).
     spin
-        Angular velocity before the impact [rad/s], shape (3,).
+        Angular velocity before impact [rad/s], shape (3,).
     position, rotation
-        Of the origin of the head at first touch [m], shape (3,), and from body axes to the world, shape (3, 3).
+        Position of the head's origin at first touch [m], shape (3,), and rotation from body to world axes, shape
+        (3, 3).
     score
-        How badly both paths fit their frames and cross: a sum of squares in standard deviations.
+        Sum of squares in standard deviations of the paths' misfits and of the distance at their crossing.
     again
-        The frame of another drop of the speed, which is not taken; None without.
+        Frame of another loss of speed that was not chosen, or None.
     """
 
     before: int
@@ -118,26 +119,26 @@ def detect_impact(
     roughness: float = ROUGHNESS,
     cg: Array | None = None,
 ) -> DetectedImpact:
-    """Find the impact in a recording; refuse one that has none with a :class:`FileError`.
+    """Find the impact in a recording; raise FileError if there is none.
 
     Parameters
     ----------
     times
-        Of the frames [s].
+        Times of the frames [s].
     followed
         The clubhead in every frame.
     noise
         Standard deviation of a marker along an axis [m].
     arm
-        Standard deviation along each axis of where the CG is from the origin of the head [m]: after an impact off
-        centre the head spins fast about its CG, and other points of it do not go smoothly.
+        Standard deviation along each axis of the CG position relative to the head's origin [m]: after an off-centre
+        impact the head spins fast about its CG, and its other points do not move smoothly.
     where
         The file, for errors.
     roughness
-        Of the smoother.
+        Roughness of the smoother.
     cg
-        Where the CG is from the origin of the head, in the axes of the world at impact [m], shape (3,); there unless
-        given.
+        Position of the CG relative to the head's origin, in world axes at impact [m], shape (3,); default: at the
+        origin.
     """
     before, after, lost, again = _frames(times, followed, where)
     cg = np.zeros(3) if cg is None else cg
@@ -153,27 +154,27 @@ def detect_impact(
         raise FileError(
             where, None,
             f"no impact can be read: the clubhead loses speed between frames {before + 1} and {after + 1}, but its"
-            f" paths before and after do not meet there, or less than {FEWEST} frames show it on either side",
+            f" paths before and after do not meet there, or fewer than {FEWEST} frames show it on either side",
         )  # fmt: skip
     return min(tried, key=lambda each: each.score)._replace(lost=lost, again=again)
 
 
 def last_before(times: Array, followed: Track, where: str) -> int:
-    """Return the last frame before the head loses speed, to a frame or two."""
+    """Return the last frame before the head loses speed, to within a frame or two."""
     return _frames(times, followed, where).before - 1
 
 
 class End(NamedTuple):
-    """An impact with which a recording ends, or all but ends.
+    """An impact at or near the end of a recording.
 
     Attributes
     ----------
     before
         The last frame before it.
     touch, deviation
-        First touch and its standard deviation [s]: where between two frames is not known.
+        Time of first touch and its standard deviation [s]; its position between two frames is unknown.
     later
-        How many frames follow.
+        Number of frames that follow.
     """
 
     before: int
@@ -183,9 +184,9 @@ class End(NamedTuple):
 
 
 def impact_at_end(times: Array, followed: Track) -> End | None:
-    """Return the impact with which a recording ends; None where it does not seem to end with one.
+    """Return the impact at the end of a recording; None if there seems to be none.
 
-    Up to four frames may follow, in which the head is slower. Without any the head must be fast and near the ground.
+    Up to four frames with lower speed may follow. If none follow, the head must be fast and near the ground.
     """
     known = np.flatnonzero(followed.known)
     if len(known) < 3 * FEWEST or (np.diff(known[-2 * FEWEST :]) > 1).any():
@@ -195,7 +196,7 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
     speeds = np.linalg.norm(np.diff(middle, axis=0), axis=-1) / np.diff(times[known])
     top = float(np.quantile(speeds[speeds < IMPOSSIBLE], 0.99))
     for later in range(FEWEST - 1, -1, -1):
-        end = len(speeds) - later  # the step in which the impact lies, if any frame follows
+        end = len(speeds) - later  # the step containing the impact, if any frame follows
         some = np.arange(max(end - STEPS, 0), end)
         level, off = _extended((some - end)[None].astype(np.float64), speeds[some][None])
         if off[0] > 0.5 * LOST * level[0] or level[0] < NEARLY * top:
@@ -211,16 +212,16 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
 
 
 class Drop(NamedTuple):
-    """Two frames between which speed is lost.
+    """A loss of speed between two frames.
 
     Attributes
     ----------
     before, after
         The frames.
     lost
-        Part of the speed that is lost, and stays lost.
+        Fraction of speed lost permanently.
     again
-        The frame before another drop of the speed by half as much or more, at another time; None without.
+        Frame before another loss of at least half the size, at another time, or None.
     """
 
     before: int
@@ -230,14 +231,14 @@ class Drop(NamedTuple):
 
 
 def _frames(times: Array, followed: Track, where: str) -> Drop:
-    """Return the frames between which the head loses speed for good."""
+    """Return the frames between which the head permanently loses speed."""
     known = np.flatnonzero(followed.known)
-    # The markers are on the head wherever a calibration has its origin.
+    # The markers are on the head wherever the calibration puts the origin.
     middle = (followed.poses.position + followed.poses.rotation @ followed.shape.mean(0))[known]
     reason = "too few frames show the clubhead"
     if len(known) >= 2 * FEWEST:
         lost, speed, misfit = _losses(times[known], middle, known)
-        # Next to a spike speeds are on no line, however far apart the lines are.
+        # Next to a spike, speeds lie on no line, however far apart the lines are.
         usual = float(np.median(misfit[np.isfinite(misfit)])) if np.isfinite(misfit).any() else 0.0
         with np.errstate(invalid="ignore"):  # where there is no loss
             clear = misfit < np.fmax(CLEAR * lost * speed, TIMES_USUAL * usual)
@@ -257,18 +258,18 @@ def _frames(times: Array, followed: Track, where: str) -> Drop:
         reason += _hidden(times[known], middle, known)
     raise FileError(
         where, None,
-        f"no impact: {reason}. This is a swing without a ball, or the file ends less than {FEWEST} frames after impact;"
-        " if there was a ball, give its marker or its position under [ball]",
+        f"no impact: {reason}. This is a swing without a ball, or the file ends fewer than {FEWEST} frames after"
+        " impact; if there was a ball, give its marker or its position under [ball]",
     )  # fmt: skip
 
 
 def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array, Array]:
-    """Return which part of its speed the head loses for good in each step from frame to frame.
+    """Return the fraction of speed that the head permanently loses in each step between frames.
 
-    Straight lines through the speeds before and after, that hold whatever a few of them do (Theil, 1950; Sen, 1968),
-    are extended to the middle of the step. A step that is no impact has -inf: across a gap, from a speed that came at
-    once or is back soon, as in a spike, or where the head turns round. The second result is the speed before [m/s], and
-    the third how far the speeds are from both lines [m/s]: least where the impact lies in the step itself.
+    Robust lines (Theil, 1950; Sen, 1968) through the speeds before and after are extrapolated to the middle of the
+    step. Steps that cannot be an impact get -inf: across a gap, with a speed that rose suddenly or recovers soon, as
+    in a spike, or where the head reverses. The second result is the speed before [m/s], the third the distance of the
+    speeds from both lines [m/s], which is smallest for the step that contains the impact.
     """
     count, frame = len(times), float(np.median(np.diff(times)))
     every, place = max(1, round(WINDOW / STEPS / frame)), np.arange(len(times) - 1)
@@ -280,7 +281,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
         inside = (index[:, 1:] >= 0) & (index[:, 1:] < count)
         index = index.clip(0, count - 1)
         when = 0.5 * (times[index[:, 1:]] + times[index[:, :-1]]) - middle[:, None]
-        # Behind a gap the speed may be another.
+        # Speed may change across a gap.
         together = inside & (np.abs(np.diff(frames[index], axis=1)) <= max(WIDEST, every))
         since = np.abs(times[index[:, 1:]] - times[start][:, None])
         seen = np.logical_and.accumulate(together, axis=1) & (since <= far)
@@ -290,7 +291,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
         close = np.where(since <= near, speed, np.nan)[:, : max(STEPS, FEWEST)]
         level, off = _extended(when[:, : close.shape[1]], close)
         if way < 0:
-            # A line through a longer time is not led by a rise right before the step.
+            # A line over a longer time is not affected by a rise just before the step.
             level = np.fmin(level, _extended(when[:, ::2], speed[:, ::2])[0])
         levels.append(level)
         speeds.append(speed)
@@ -299,7 +300,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
     (before, after), (earlier, later) = levels, speeds
     with np.errstate(invalid="ignore", divide="ignore"):
         lost = 1.0 - after / before
-        # Speeds next to a spike are off for some frames, those of a longer time before and after are not.
+        # Speeds next to a spike are off for a few frames, those over a longer time are not.
         stays = _quantile(later, 0.75) < (1.0 - 0.5 * LOST) * np.minimum(before, _quantile(earlier, 0.75))
         came = (_quantile(earlier, 0.5) > SUDDEN * before) & (_quantile(earlier, 0.75) < TOP * before)
         top = np.max(before, initial=0.0, where=came & np.isfinite(before))
@@ -311,7 +312,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
 
 
 def _extended(when: Array, speeds: Array) -> tuple[Array, Array]:
-    """Return robust lines through speeds, shape (lines, points) with NaN for none, at time zero, and their misfit."""
+    """Fit robust lines to speeds, shape (lines, points) with NaN for missing ones; return value at zero and misfit."""
     one, two = np.triu_indices(when.shape[1], 1)
     slope = _quantile((speeds[:, two] - speeds[:, one]) / (when[:, two] - when[:, one]), 0.5)[:, None]
     level = _quantile(speeds - slope * when, 0.5)
@@ -320,7 +321,7 @@ def _extended(when: Array, speeds: Array) -> tuple[Array, Array]:
 
 
 def _quantile(values: Array, share: float) -> Array:
-    """Return a quantile of each row, NaN left out; NaN of a row without a number."""
+    """Return a quantile of each row, ignoring NaN; NaN for a row of NaN."""
     order = np.sort(values, axis=1)
     place = share * (np.isfinite(order).sum(1) - 1).clip(0)
     low, high = (np.take_along_axis(order, round(place).astype(int)[:, None], 1)[:, 0] for round in (np.floor, np.ceil))
@@ -328,7 +329,7 @@ def _quantile(values: Array, share: float) -> Array:
 
 
 def _hidden(times: Array, position: Array, frames: Array) -> str:
-    """Say which gap hides the impact, if the head is slower after it by as much; else nothing."""
+    """Describe a gap that may hide the impact, if the head is slower after it; else return an empty string."""
     speeds = np.linalg.norm(np.diff(position, axis=0), axis=-1) / np.diff(times)
     for place in np.flatnonzero(np.diff(frames) > 1):
         if FEWEST <= place < len(speeds) - FEWEST:
@@ -351,7 +352,7 @@ def _cross(
     roughness: float,
     where: str,
 ) -> DetectedImpact | None:
-    """Return the impact between two frames from where the paths on either side cross; None with too few frames."""
+    """Return the impact between two frames, where the paths on either side cross; None if there are too few frames."""
     before, after = frames
     known = np.flatnonzero(followed.known)
     rotation = followed.poses.rotation
@@ -366,10 +367,10 @@ def _cross(
     errors = coordinates_of(followed, later, noise)[1][:, :3, :3]
 
     def left(time: float) -> Path:
-        """Return the path of the CG after an impact at ``time``, moved to where the origin is then."""
+        """Return the CG's path after an impact at ``time``, shifted to the origin's position at that time."""
         held = exponential(_at(ahead, time)[0][3:]) @ attitude
-        # The CG goes smoothly; the origin, an arm from it that is known to ``arm``, does what the head's turn since the
-        # impact adds to that.
+        # The CG moves smoothly. The origin, at an arm known to ``arm``, also follows the head's rotation since
+        # impact.
         turned = rotation[later] @ held.T - np.eye(3)
         return fit(start - times[later], followed.poses.position[later] + turned @ cg, errors, 4, density, arm * turned)
 
@@ -397,7 +398,7 @@ def _cross(
 
 
 def _at(path: Path, time: float) -> tuple[Array, Array, Array, Array]:
-    """Return coordinates and rates [1/s] of a path at ``time``, and their covariances with what does not fit."""
+    """Return coordinates and rates [1/s] of a path at ``time``, and their covariances, including misfit."""
     when = np.array(time)
     values, rates = series(path.position, when), series(path.rate, when) / TIME
     count, width = path.position.shape

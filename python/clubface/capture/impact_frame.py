@@ -18,15 +18,15 @@ from clubface.errors import FileError
 from clubface.results.notes import Note, note
 
 APPROACH = 1.0
-"""m/s; a face that comes nearer more slowly is being set down behind the ball."""
+"""Approach speed below which a face is being set down behind the ball [m/s]."""
 SIDEWAYS = 0.15
-"""Metres from the face centre beyond which the head passes the ball instead of meeting it."""
+"""Distance from the face centre above which the head passes by the ball [m]."""
 WIDEST = 8
-"""Frames without a pose across which a meeting is still believed."""
+"""Maximum number of frames without a pose across which an impact is accepted."""
 SLOWED = 0.95
-"""Largest part of its speed that a head keeps when it hits a ball: a putter keeps 0.8, a driver 0.7."""
+"""Maximum fraction of its speed that a head keeps at impact; a putter keeps 0.8, a driver 0.7."""
 STILL = 3e-3
-"""Metres; a ball that moves less has not been hit."""
+"""Displacement below which a ball has not been hit [m]."""
 
 
 class FrameInterval(NamedTuple):
@@ -37,9 +37,9 @@ class FrameInterval(NamedTuple):
     before
         The last frame with a pose before first touch.
     after
-        The first frame that shows the impact has begun.
+        First frame after the impact has begun.
     notes
-        What is not certain about it.
+        Uncertainties of the interval.
     """
 
     before: int
@@ -51,32 +51,32 @@ def find_impact(
     position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
     rate: float, where: str,
 ) -> tuple[FrameInterval, RestingBall]:  # fmt: skip
-    """Find the frames between which the face passes where the ball lies, and make sure that it hit the ball.
+    """Find the frames between which the face passes the ball's position, and verify that it hit the ball.
 
     Parameters
     ----------
     position, rotation
-        Of the CG [m] and from club axes to the world; NaN in frames without a pose.
+        Position of the CG [m], and rotation from club to world axes; NaN in frames without a pose.
     seen_ball
-        Centre of the ball in every frame [m]; NaN where it is not seen.
+        Centre of the ball in every frame [m]; NaN where not seen.
     places
-        Where the ball lay, the last place first; the first at which it is met counts.
+        Resting places of the ball, last first; the first that the face meets is used.
     club, radius
-        The face, and the radius of the ball [m].
+        The club with its face, and the radius of the ball [m].
     rate
-        Frames a second.
+        Frames per second.
     where
-        The file, for errors.
+        File name for errors.
 
     Returns
     -------
     tuple
-        The frames, and the ball where it was met.
+        The frame interval, and the ball at the place where it was hit.
 
     Raises
     ------
     FileError
-        No impact: the face never passes the ball, or the ball stays, or the head is not slowed.
+        There is no impact: the face never passes the ball, the ball stays, or the head is not slowed.
     """
     for ball in places:
         ahead, local = gap(position, rotation, ball.centre, club, radius)
@@ -88,8 +88,8 @@ def find_impact(
     if hidden is not None:
         raise FileError(
             where, None,
-            f"no impact can be read: the clubhead is not seen in frames {hidden[0] + 1} to {hidden[1] + 1}, right"
-            " before the ball leaves: too many to go on from where it was last",
+            f"no impact can be read: the clubhead is not seen in frames {hidden[0] + 1} to {hidden[1] + 1}, just"
+            " before the ball leaves; that is too many to extrapolate across",
         )  # fmt: skip
     away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
     nearest = int(np.nanargmin(away))
@@ -97,7 +97,7 @@ def find_impact(
         "the ball stays"
         if places[0].departure is None
         else (
-            "the ball leaves: a filter that ran across the impact does that (export raw trajectories), or a wrong"
+            "the ball leaves: the cause may be trajectories filtered across the impact (export raw ones), or a wrong"
             " mapping, calibration or club"
         )
     )
@@ -110,9 +110,9 @@ def find_impact(
 
 
 def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
-    """Return the first and last frame in which the head is lost from sight before the ball leaves, None if it is not.
+    """Return the first and last frame in which the head is hidden before the ball leaves; None if it is not hidden.
 
-    Frames across which its way can be extended do not count.
+    Gaps short enough to extrapolate across do not count.
     """
     if ball.departure is None:
         return None
@@ -122,7 +122,7 @@ def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
 
 
 def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> FrameInterval | None:
-    """Return the frames between which the face passes a ball while it lies there, None if it does not."""
+    """Return the frames between which the face passes a ball at rest; None if it does not."""
     known = np.flatnonzero(np.isfinite(ahead))
     first, second = known[:-1], known[1:]
     closing = (ahead[first] - ahead[second]) / (second - first) * rate
@@ -132,14 +132,14 @@ def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> Fram
     places = np.flatnonzero(passes)
     if not len(places):
         return _last_seen(ahead, known, ball, sideways)
-    # The one at which the ball leaves; without that, the fastest: a practice swing is slower, or misses.
+    # Choose the pass at which the ball leaves; failing that, the fastest: a practice swing is slower, or misses.
     key = closing[places] if ball.departure is None else -np.abs(second[places] - ball.departure)
     chosen = places[int(np.argmax(key))]
     return FrameInterval(int(first[chosen]), int(second[chosen]))
 
 
 def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -> FrameInterval | None:
-    """Return the interval of a head that is lost from sight before the ball leaves, or is lost from sight as well."""
+    """Return the interval of a head that was last seen just before the ball leaves or is last seen itself."""
     gone = ball.span[1] + 1 if ball.departure is None else ball.departure
     earlier = known[known < gone]
     if gone >= len(ahead) or len(earlier) < 2 or gone - earlier[-1] > WIDEST or sideways[earlier[-1]] > SIDEWAYS:
@@ -152,7 +152,7 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -
 def _make_sure(
     position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval, rate: float, where: str
 ) -> tuple[Note, ...]:
-    """Refuse a pass that moved neither ball nor head; return what could not be made sure."""
+    """Raise FileError if neither ball nor head reacted to a pass; return notes on what could not be verified."""
     frames = f"frames {result.before + 1} and {result.after + 1}"
     later = seen_ball[result.after + 1 : result.after + 12]
     later = later[visible(later)]
@@ -161,8 +161,8 @@ def _make_sure(
         if moved < max(STILL, 6.0 * ball.noise):
             raise FileError(
                 where, None,
-                f"no impact: the face passes the place of the ball between {frames}, but the ball stays there"
-                f" (it moves {units.fixed(moved, 'mm', 1)}): a swing without a ball, or a wrong mapping",
+                f"no impact: the face passes the ball's position between {frames}, but the ball stays there"
+                f" (it moves {units.fixed(moved, 'mm', 1)}); this is a swing without a ball, or the mapping is wrong",
             )  # fmt: skip
         return ()
     speeds = [
@@ -174,14 +174,15 @@ def _make_sure(
     if speeds[1] > SLOWED * speeds[0]:
         raise FileError(
             where, None,
-            f"no impact: the face passes the place of the ball between {frames}, but the head keeps its speed"
-            f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after): a swing without a ball, or a wrong mapping",
+            f"no impact: the face passes the ball's position between {frames}, but the head keeps its speed"
+            f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after); this is a swing without a ball, or the mapping"
+            " is wrong",
         )  # fmt: skip
     return (note("capture-ball-not-seen"),)
 
 
 def _speed(position: Array, rate: float) -> float:
-    """Return the speed over a few frames [m/s], NaN with fewer than two poses."""
+    """Return the speed over a few frames [m/s]; NaN with fewer than two poses."""
     known = np.flatnonzero(np.isfinite(position[:, 0]))
     if len(known) < 2:
         return float("nan")
@@ -189,12 +190,12 @@ def _speed(position: Array, rate: float) -> float:
 
 
 TOUCHING = 1e-3
-"""Metres the face may have moved on after first touch in a frame that is still used: the ball hardly pushes yet."""
+"""Advance of the face after first touch up to which a frame is used [m]; the ball hardly pushes yet."""
 SETTLED = 1e-9
-"""Seconds by which the instant of impact may still move; the head goes 50 nm in that time."""
+"""Convergence tolerance for the instant of impact [s]; the head moves 50 nm in that time."""
 MOST_ROUNDS = 20
 WIDEST_APPROACH = 12
-"""Frames without a pose across which the path is still followed."""
+"""Maximum number of frames without a pose across which the path is followed."""
 
 
 class Approach(NamedTuple):
@@ -203,13 +204,13 @@ class Approach(NamedTuple):
     Attributes
     ----------
     path
-        The path about the instant of first touch.
+        Path about the instant of first touch.
     attitude
-        Rotation from club axes to the world where the rotation vector of the path is zero, shape (3, 3).
+        Rotation from club to world axes where the path's rotation vector is zero, shape (3, 3).
     touch
-        Time of first touch [s], on the clock of the frames.
+        Time of first touch on the clock of the frames [s].
     frames
-        The numbers of the frames used, ascending.
+        Numbers of the frames used, ascending.
     """
 
     path: Path
@@ -222,7 +223,7 @@ def follow(
     times: Array, followed: Track, interval: FrameInterval, ball: Array, club: Club, radius: float,
     *, noise: float, name: str, roughness: float, where: str,
 ) -> Approach:  # fmt: skip
-    """Extend the path of the clubhead to the place where it first touches the ball.
+    """Extrapolate the clubhead's path to its first touch of the ball.
 
     Parameters
     ----------
@@ -241,7 +242,7 @@ def follow(
     name, roughness
         Name of the estimator, and the roughness for the smoother.
     where
-        The file, for error messages.
+        File name for errors.
 
     Raises
     ------
@@ -261,7 +262,7 @@ def follow(
     touch = float(times[known[-1]] + ahead[-1] / closing)
 
     def extended() -> Approach:
-        """Fit the path about ``touch`` and move that to where the path meets the ball."""
+        """Fit the path about ``touch`` and update this to the time at which the path meets the ball."""
         frames = usable(known[-most:], rotation, fewest)
         if len(frames) < fewest:
             raise FileError(where, None, _too_few(len(frames), fewest, name))
@@ -285,9 +286,9 @@ def follow(
 def follow_until(
     times: Array, followed: Track, touch: float, *, noise: float, name: str, roughness: float, where: str
 ) -> Approach:
-    """Extend the path of the clubhead to an instant of first touch that is known, such as that of a detected impact.
+    """Extrapolate the clubhead's path to a known instant of first touch, such as a detected impact.
 
-    The parameters and errors are those of :func:`follow`.
+    Parameters and errors are those of :func:`follow`.
     """
     extend, fewest, most = estimator(name)
     known = np.flatnonzero(followed.known & (times <= touch))
@@ -307,11 +308,11 @@ def path_through(
     roughness: float,
     where: str,
 ) -> tuple[Path, Array]:
-    """Return the path through some frames about time zero, and the attitude from which its rotation vector counts.
+    """Return the path through frames about time zero, and the attitude relative to which its rotation vector is given.
 
-    The ``times`` of all frames [s] ascend, counted backwards for a path that is followed back in time; the last of
-    ``frames`` is the nearest to time zero. ``noise`` is the standard deviation of a marker along an axis [m],
-    ``extend`` the function of an estimator, and ``where`` the file, for errors.
+    The ``times`` of all frames [s] ascend; they count backwards for a path followed back in time. The last of
+    ``frames`` is nearest to time zero. ``noise`` is the standard deviation of a marker along an axis [m], ``extend``
+    an estimator's function, and ``where`` the file name for errors.
     """
     coordinates, errors, attitude = coordinates_of(followed, frames, noise)
     try:
@@ -321,9 +322,9 @@ def path_through(
 
 
 def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array, Array, Array]:
-    """Return position and rotation vector of the frames, their covariances, and the attitude it counts from.
+    """Return coordinates (position, rotation vector) of the frames, their covariances, and the reference attitude.
 
-    Coordinates have shape (frames, 6); the attitude is that in the last of the frames.
+    Coordinates have shape (frames, 6); the reference attitude is that of the last frame.
     """
     position, rotation = followed.poses.position, followed.poses.rotation
     attitude = rotation[frames[-1]]
@@ -336,9 +337,9 @@ def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array,
 
 
 def usable(recent: Array, rotation: Array, fewest: int) -> Array:
-    """Return the last frames that hang together and in which the head turns by no more than ``TURN``.
+    """Return the last frames without wide gaps between which the head turns by at most ``TURN``.
 
-    Those before a wide gap are used as well where otherwise there were less than ``fewest``.
+    Frames before a wide gap are kept if there would otherwise be fewer than ``fewest``.
     """
     if not len(recent):
         return recent

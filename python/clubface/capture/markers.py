@@ -1,4 +1,4 @@
-"""The markers of a laboratory, and the strictly checked TOML files that say which is what."""
+"""Marker maps: the markers of a laboratory, and the strictly checked TOML files that describe them."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ class FacePoint(NamedTuple):
     Attributes
     ----------
     toe, high
-        Its distances from the face centre [m] towards the toe and upwards, in the plane that touches the face there.
+        Distances from the face centre [m], towards the toe and upwards, in the plane tangent to the face there.
     standoff
-        How far the centre of its marker stands in front of the face [m].
+        Distance of the marker's centre from the face [m].
     """
 
     toe: float
@@ -40,55 +40,53 @@ class FacePoint(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Markers:
-    """What the markers of a laboratory are.
+    """Markers and axes of a laboratory.
 
     Attributes
     ----------
     cluster
-        The markers on the clubhead by name. The value is the position of the marker from the face centre [m], in club
-        axes at the static loft (x towards the target, y up, z towards the toe), or None if a calibration gives it.
+        Markers on the clubhead by name, each with its position from the face centre [m] in club axes at static loft (x
+        towards the target, y up, z towards the toe), or None if a calibration determines it.
     by
-        What places the cluster on the club: its given "positions"; points of the "face" that are seen with it; the
-        "address", in which the head rests on the ground with a square face; or the "swing", in which impact shows where
-        the face looks. None is "positions" if they are given, and else "face".
+        How the cluster is located on the club: by its given "positions"; by points of the "face" seen with it; by the
+        "address", at which the head rests on the ground with a square face; or by the "swing", in which impact reveals
+        the direction of the face. None means "positions" if they are given, else "face".
     face
-        Calibration points on the face, by marker; empty if the positions of the cluster are given.
+        Face points for calibration, by marker; empty if positions are given.
     calibration
-        The C3D file that shows the points of the face, or the address. None means the swing itself.
+        C3D file that shows the face points or the address. None means the swing itself.
     frames
-        First and last frame of the address, as the file counts. None: the last time that the head rests near the
+        First and last frame of the address, as numbered in the file. None means the last rest of the head near the
         ground.
     ground
-        Height of the ground along the axis that points up [m], in laboratory axes. None: not known, and the sole says
-        nothing about where the markers sit.
+        Height of the ground along the up axis [m], in laboratory axes. None if unknown; the sole then gives no
+        information on the marker positions.
     accuracy
-        Standard deviation along each axis [m] of a given position, of a cluster marker or a face point. None: not
-        given; 1 mm is taken.
+        Standard deviation along each axis of given positions of cluster markers and face points [m]; default 1 mm.
     assumed
-        Standard deviations of what is assumed.
+        Standard deviations of assumptions.
     ball
-        The marker whose centre is that of the ball, or None. Without marker and position the ball is looked for where
-        the head loses speed.
+        Marker at the centre of the ball, or None. Without marker and position, the ball is taken to be where the head
+        loses speed.
     ball_offset
-        From that marker to the centre of the ball [m], in world axes (x towards the target, y up, z to the right).
+        Vector from this marker to the ball's centre [m], in world axes (x towards the target, y up, z to the right).
     ball_position
-        Position of the ball [m] in the axes of the laboratory, instead of a marker.
+        Position of the ball [m] in laboratory axes, in place of a marker.
     ball_accuracy
-        Standard deviation of that position along each axis [m]. None: not given; that of the other positions if it is
-        given, else 10 mm.
+        Standard deviation of this position along each axis [m]; default ``accuracy`` if given, else 10 mm.
     target
-        Axis of the laboratory that points to the target, such as "+y"; or two markers, where the second lies in the
-        direction of the target from the first.
+        Laboratory axis that points to the target, such as "+y"; or two markers, the second in the direction of the
+        target from the first.
     up
-        Axis of the laboratory that points up.
+        Laboratory axis that points up.
     unit
-        Unit of length of the files, where they name none or a wrong one.
+        Unit of length of the files, if they name none or a wrong one.
     noise
-        Standard deviation of a marker along each axis [m]; None to estimate it from the residuals.
+        Standard deviation of a marker along each axis [m]; None to estimate it from residuals.
     club
-        Name of the club for which the mapping was made, or None.
+        Name of the club for which the map was made, or None.
     path
-        The file, or another name of the source.
+        File name or another name of the source.
     """
 
     cluster: Mapping[str, Point | None]
@@ -127,7 +125,7 @@ class Markers:
         _check_axes(self.target, self.up)
 
     def _check_way(self, way: str, placed: list[str]) -> None:
-        """Refuse a mapping that lacks what its way of calibration needs, or gives what that does not use."""
+        """Raise InputError if the chosen calibration lacks an input, or an input is given that it does not use."""
         if way == "positions" and len(placed) < len(self.cluster):
             without = ", ".join(name for name in self.cluster if name not in placed)
             raise InputError(
@@ -156,12 +154,12 @@ class Markers:
                 shown = "file" if name == "calibration" else name
                 meant = " or ".join(f'by = "{each}"' for each in ways)
                 raise InputError(
-                    shown, getattr(self, name), f'leave it out, or give {meant}: by = "{way}" does not use it'
+                    shown, getattr(self, name), f'leave it out, or give {meant}; by = "{way}" does not use it'
                 )
 
     @property
     def way(self) -> str:
-        """What places the cluster on the club: one of ``WAYS``."""
+        """How the cluster is located on the club: one of ``WAYS``."""
         if self.by is not None:
             return self.by
         return "positions" if any(place is not None for place in self.cluster.values()) and not self.face else "face"
@@ -173,12 +171,12 @@ class Markers:
 
     @property
     def ball_deviation(self) -> float:
-        """Standard deviation of the given position of the ball along each axis [m]."""
+        """Standard deviation of the given ball position along each axis [m]."""
         return next((each for each in (self.ball_accuracy, self.accuracy) if each is not None), GUESSED)
 
     @property
     def calibration_path(self) -> Path | None:
-        """The calibration file, found from the folder of the mapping file."""
+        """Path of the calibration file, relative to the folder of the mapping file."""
         return None if self.calibration is None else Path(self.path).parent / self.calibration
 
 
@@ -190,18 +188,18 @@ def _check_axes(target: str | tuple[str, str], up: str) -> None:
         if target not in AXES:
             raise InputError("target", target, f"{allowed}, or a list of two markers")
         if target[1] == up[1]:
-            raise InputError("target", target, f"across the axis that points up, {up}")
+            raise InputError("target", target, f"perpendicular to the up axis, {up}")
 
 
 SEEN = "seen"
-"""Stands for the position of a marker that the calibration places."""
+"""Written in place of the position of a marker that the calibration locates."""
 LENGTH, DEVIATION = PhysicalValue("mm", decimals=6), PhysicalValue("mm", lower=0, decimals=6)
 VECTOR = Items(LENGTH, 3, 3, "three lengths in a list")
 POSITION = Either(
     {
         str: Choice({SEEN: None}),
         list: VECTOR,
-        dict: Simple('in quotes where the name has a point, as in "club.HEAD1" = ...', lambda given: False),
+        dict: Simple('in quotes if the name contains a point, as in "club.HEAD1" = ...', lambda given: False),
     },
     f'"{SEEN}", or three lengths in a list',
 )
@@ -214,43 +212,45 @@ TARGET = Either({str: TEXT, list: Items(TEXT, 2, 2)}, "an axis in quotes or a li
 
 @dataclass(frozen=True, kw_only=True)
 class CalibrationTable:
-    """What places the markers on the head."""
+    """How the markers are located on the head."""
 
-    by: str | None = file_key(Choice(WAYS), "what it goes by", default=None)
+    by: str | None = file_key(Choice(WAYS), "method of locating the markers", default=None)
     file: str | None = file_key(
-        TEXT, "the C3D file that shows the face or the address; default: the swing", default=None
+        TEXT, "C3D file that shows the face or the address; default: the swing itself", default=None
     )
     frames: tuple[int, int] | None = file_key(
-        Items(count(0, 2**31), 2, 2, "the first and the last, as in [1, 90]"), "of the address", default=None
+        Items(count(0, 2**31), 2, 2, "the first and the last, as in [1, 90]"), "frames of the address", default=None
     )
-    ground: float | None = file_key(LENGTH, "height of the ground, on which the sole rests", default=None)
-    accuracy: float | None = file_key(DEVIATION, "standard deviation of positions that are given", default=None)
+    ground: float | None = file_key(LENGTH, "height of the ground under the sole", default=None)
+    accuracy: float | None = file_key(DEVIATION, "standard deviation of given positions", default=None)
 
 
 @dataclass(frozen=True, kw_only=True)
 class BallTable:
-    """Where the ball lies."""
+    """Position of the ball."""
 
-    marker: str | None = file_key(TEXT, "the marker whose centre is that of the ball", default=None)
-    offset: Point = file_key(VECTOR, "from the marker to the centre of the ball", default=(0.0, 0.0, 0.0))
-    position: Point | None = file_key(VECTOR, "of the ball, instead of a marker", default=None)
+    marker: str | None = file_key(TEXT, "marker at the centre of the ball", default=None)
+    offset: Point = file_key(VECTOR, "vector from the marker to the centre of the ball", default=(0.0, 0.0, 0.0))
+    position: Point | None = file_key(VECTOR, "position of the ball, in place of a marker", default=None)
     accuracy: float | None = file_key(DEVIATION, "standard deviation of the position", default=None)
 
     def __post_init__(self) -> None:
         if self.marker is None and self.position is None:
             raise InputError(
-                "ball", Wording("without a marker and a position"),
-                "give one, or leave the whole table out: then the ball is where the clubhead loses speed",
+                "ball", Wording("without marker and position"),
+                "give one, or leave the table out; the ball is then taken to be where the clubhead loses speed",
             )  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
 class LaboratoryTable:
-    """The axes and units of the laboratory."""
+    """Axes and units of a laboratory."""
 
-    target: str | tuple[str, str] = file_key(TARGET, "axis to the target, or two markers", default="+x")
+    target: str | tuple[str, str] = file_key(
+        TARGET, "axis to the target, or two markers on the target line", default="+x"
+    )
     up: str = file_key(TEXT, "axis that points up", default="+z")
-    unit: str | None = file_key(TEXT, "unit of the files, if they give none or a wrong one", default=None)
+    unit: str | None = file_key(TEXT, "length unit of the files, if they name none or a wrong one", default=None)
 
     def __post_init__(self) -> None:
         if self.unit is not None:
@@ -259,15 +259,15 @@ class LaboratoryTable:
 
 @dataclass(frozen=True, kw_only=True)
 class MarkerFile:
-    """A mapping file of markers."""
+    """Keys of a mapping file of markers."""
 
-    club: str | None = file_key(TEXT, "name of the club; swings of another are refused", default=None)
-    cluster: Mapping[str, Point | None] = file_key(Record(POSITION), "the markers on the head, with their places")
+    club: str | None = file_key(TEXT, "name of the club; swings of other clubs are rejected", default=None)
+    cluster: Mapping[str, Point | None] = file_key(Record(POSITION), "markers on the head with their positions")
     calibration: CalibrationTable = file_key(
-        Table(CalibrationTable), "what places them", default_factory=CalibrationTable
+        Table(CalibrationTable), "how they are located", default_factory=CalibrationTable
     )
-    face: Mapping[str, FacePoint] = file_key(Record(FACE_POINT), "points on the face, by marker", default_factory=dict)
-    ball: BallTable | None = file_key(Table(BallTable), "where the ball lies", default=None)
+    face: Mapping[str, FacePoint] = file_key(Record(FACE_POINT), "face points, by marker", default_factory=dict)
+    ball: BallTable | None = file_key(Table(BallTable), "position of the ball", default=None)
     laboratory: LaboratoryTable = file_key(
         Table(LaboratoryTable), "axes and units of the files", default_factory=LaboratoryTable
     )
@@ -276,11 +276,13 @@ class MarkerFile:
         "standard deviation of a `marker`",
         default_factory=dict,
     )
-    assumed: Any = file_key(Table(Assumed), "standard deviations of what is not measured", default_factory=Assumed)
+    assumed: Any = file_key(
+        Table(Assumed), "standard deviations of assumptions that replace measurements", default_factory=Assumed
+    )
 
     @classmethod
     def from_markers(cls, markers: Markers) -> Self:
-        """Return the file of a mapping."""
+        """Return the file contents of a marker map."""
         ball = None
         if markers.ball is not None or markers.ball_position is not None:
             offset: Any = markers.ball_offset if any(markers.ball_offset) else ()
@@ -313,11 +315,11 @@ class MarkerFile:
 
 
 class MarkerMap(Markers):
-    """The markers of a laboratory; its attributes are those of :class:`Markers`."""
+    """A marker map, read from a file or text; its attributes are those of :class:`Markers`."""
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Self:
-        """Read a mapping file; ``template`` shows its form. Every error names file and line."""
+        """Read a mapping file; ``template`` shows its format. Errors name file and line."""
         return cls._from(Document.read(path))
 
     @classmethod
@@ -332,67 +334,67 @@ class MarkerMap(Markers):
             return cls(**file.values(), path=document.path)
 
     def to_toml(self) -> str:
-        """Return the text of a mapping file that reads back as this mapping, lengths to 1 nm."""
+        """Write the map as TOML, with lengths to 1 nm."""
         return encode(MarkerFile.from_markers(self))
 
 
 def marker_map(name: str | os.PathLike[str] | MarkerMap) -> MarkerMap:
-    """Return the mapping that is given as the path of its file, or as a :class:`MarkerMap` itself."""
+    """Return a marker map: from the path of its file, or as given."""
     return name if isinstance(name, MarkerMap) else MarkerMap.read(name)
 
 
 TEMPLATE = """\
-# Which marker is what. A length is text with its unit. Put names with a colon or a blank into quotes: "Subject:CLUB1".
-club = "driver"               # optional: refuses swings recorded for another club
+# The markers of a laboratory. Lengths are text with a unit. Quote names with a colon or a space: "Subject:CLUB1".
+club = "driver"               # optional: rejects swings recorded for another club
 
-[cluster]                     # markers on the clubhead and no others, three or more, not on a line
+[cluster]                     # markers on the clubhead and no others; three or more, not on a line
 {cluster}
-# "seen": placed by the calibration below. Or its position from the face centre, in the axes of the club at its static
-# loft: to the target, up, towards the toe, as in "Subject:CLUB1" = ["-25 mm", "32 mm", "-20 mm"]
+# "seen": located by the calibration below. Or its position from the face centre, in club axes at static loft: to the
+# target, up, towards the toe, as in "Subject:CLUB1" = ["-25 mm", "32 mm", "-20 mm"]
 
 [calibration]
-by = "face"                   # "face": by points of the face, below; "positions": by those under [cluster];
-                              # "address": by the head at rest behind the ball; "swing": by how impact slows it, roughly
-file = "calibration.c3d"      # for "face" and "address": where that is seen; left out, the file of the swing
-accuracy = "0.3 mm"           # how well the positions given here are known, a standard deviation; 1 mm if left out
-# frames = [1, 90]            # for "address": its first and last frame; found if left out
-# ground = "0 mm"             # for "address": height of the ground, on which the sole rests
+by = "face"                   # "face": by the face points below; "positions": by those under [cluster];
+                              # "address": by the head at rest behind the ball; "swing": by its impact, roughly
+file = "calibration.c3d"      # for "face" and "address": the file that shows it; default: the file of the swing
+accuracy = "0.3 mm"           # standard deviation of the positions given here; default 1 mm
+# frames = [1, 90]            # for "address": its first and last frame; detected by default
+# ground = "0 mm"             # for "address": height of the ground under the sole
 
-[face]                        # points on the face, from its centre in the plane that touches it there
-FACE_CENTRE = {{ toe = "0 mm", high = "0 mm", standoff = "2 mm" }}   # standoff: of the marker's centre
+[face]                        # points on the face, from its centre, in the plane tangent to the face there
+FACE_CENTRE = {{ toe = "0 mm", high = "0 mm", standoff = "2 mm" }}   # standoff: distance of the marker's centre
 FACE_TOE = {{ toe = "30 mm", high = "0 mm", standoff = "2 mm" }}
 FACE_TOP = {{ toe = "0 mm", high = "18 mm", standoff = "2 mm" }}
 
-[ball]                        # leave the table out if nothing shows the ball: it is then where the head loses speed
-marker = "BALL"               # its centre is that of the ball; or: position = ["0 mm", "1200 mm", "51 mm"]
+[ball]                        # leave this table out if nothing shows the ball; it is then where the head loses speed
+marker = "BALL"               # marker at the ball's centre; or: position = ["0 mm", "1200 mm", "51 mm"]
 # offset = ["0 mm", "0 mm", "0 mm"]   # from the marker to the ball's centre: to the target, up, right
-# accuracy = "10 mm"          # of a position, a standard deviation
+# accuracy = "10 mm"          # standard deviation of a position
 
 [laboratory]
 target = "+y"                 # axis to the target, or two markers on the target line: ["NEAR", "FAR"]
 up = "+z"
-# unit = "mm"                 # of the files, where they name none or a wrong one
+# unit = "mm"                 # length unit of the files, if they name none or a wrong one
 
-# [assumed]                   # standard deviations of what is not measured, here as they are unless given
-# face = "2 deg"              # at address: of the face angle, about square
-# loft = "2 deg"              # and of loft and lie, about those of the club
+# [assumed]                   # standard deviations of assumptions that replace measurements, with their defaults
+# face = "2 deg"              # at address: face angle, about square
+# loft = "2 deg"              # loft and lie, about the club's
 # lie = "2 deg"
-# sole = "5 mm"               # of the height of the face centre over the ground
-# place = "15 mm"             # of the markers on the head, where none is given its position
-# toe = "12 mm"               # of the impact point, where the ball is not measured
+# sole = "5 mm"               # height of the face centre above the ground
+# place = "15 mm"             # markers on the head, if no positions are given
+# toe = "12 mm"               # impact point, if the ball is not measured
 # high = "10 mm"
 
 # [noise]
-# marker = "0.3 mm"           # standard deviation along each axis; estimated from the residuals unless given
+# marker = "0.3 mm"           # standard deviation along each axis; default: estimated from residuals
 """
 
 
 def template(markers: Sequence[str] = ("HEAD1", "HEAD2", "HEAD3", "HEAD4")) -> str:
-    """Return the TOML text of a mapping file to start from, with every key explained.
+    """Return the TOML text of a commented mapping file to start from.
 
     Parameters
     ----------
     markers
-        Names for the table of the cluster; those that TOML does not take as they are stand in quotes.
+        Names for the table of the cluster; names that TOML does not accept are put in quotes.
     """
     return TEMPLATE.format(cluster="\n".join(f"{written_key(name)} = {quoted(SEEN)}" for name in markers))

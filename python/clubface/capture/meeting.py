@@ -1,4 +1,4 @@
-"""Where and when the clubhead meets the ball: by a ball that is seen or given, or by where the head loses speed."""
+"""Where and when the clubhead meets the ball, from the ball if seen or given, or from the head's loss of speed."""
 
 from __future__ import annotations
 
@@ -21,38 +21,39 @@ from clubface.errors import FileError
 from clubface.results.notes import Note, note
 
 FLOOR = 1e-6
-"""Metres; the least noise of a marker, above the rounding of a file in single precision."""
+"""Minimum noise of a marker [m], above single-precision rounding in files."""
 CG_DEVIATION = 3e-3
-"""Metres; standard deviation of the CG of a club as its file gives it."""
+"""Standard deviation of the CG given in a club's file [m]."""
 SURE = 5e-3
-"""Metres; a given ball known so well tells the instant of impact as well as loss of speed does, 0.1 ms of a drive."""
+"""Standard deviation of a given ball position up to which it is used for the instant of impact [m]; like the loss of
+speed, this is 0.1 ms of a drive."""
 ANYWHERE = 1.0
-"""Metres; standard deviation of the place of a ball that is not known."""
+"""Standard deviation of an unknown ball position [m]."""
 SURPRISING = 2.5
-"""Standard deviations beyond which a warning says that a given ball does not lie where the head is slowed."""
+"""Standard deviations above which a warning says that the head is slowed elsewhere than at the given ball."""
 
 
 class Meeting(NamedTuple):
-    """The clubhead on its way to the ball.
+    """Meeting of clubhead and ball.
 
     Attributes
     ----------
     approach
-        The path about first touch.
+        Path about first touch.
     ball
-        At rest.
+        The ball at rest.
     ball_covariance
-        Of its centre, shape (3, 3).
+        Covariance of its centre, shape (3, 3).
     seen_ball
-        Its centre in every frame, shape (frames, 3); NaN where it is not seen.
+        Its centre in every frame, shape (frames, 3); NaN where not seen.
     evidence
-        The impact detected in the head's path, if that is used.
+        Impact detected in the head's path, if used.
     noise, noise_freedom
-        Of a marker along an axis [m], and the degrees of freedom of its estimate; 0 if it was given.
+        Noise of a marker along an axis [m], and degrees of freedom of its estimate; 0 if given.
     notes
-        What is not certain about it.
+        Uncertainties of the meeting.
     geometry
-        How the ball is known.
+        How the ball's position is known.
     """
 
     approach: Approach
@@ -69,9 +70,10 @@ class Meeting(NamedTuple):
 def meet(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
     """Find where and when the head, ``followed`` through a recording, meets the ball.
 
-    A ball that is seen, or given to ``SURE``, is met where the face passes it. A ball given less surely, or not at all,
-    is met when the head loses speed; how far that contradicts a given place enters with the deviations of both.
-    ``turn`` is the rotation from the laboratory to the world, mirrored for a left-hander, shape (3, 3).
+    If the ball is seen, or given to within ``SURE``, the impact is where the face passes it. If it is given less
+    accurately or not at all, the impact is where the head loses speed; a contradiction to a given position enters with
+    the standard deviations of both. ``turn`` is the rotation from laboratory to world axes, mirrored for a left-hander,
+    shape (3, 3).
     """
     mapping = setup.mapping
     if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):
@@ -131,7 +133,7 @@ def _by_impact(recording: Recording, followed: Track, cluster: Registration, set
 
 
 def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
-    """Return the meeting of a recording that ends with the impact."""
+    """Return the meeting in a recording that ends with the impact."""
     where, times = recording.path, recording.times
     noise, freedom = _noise(followed, end.before - 1, setup, where)
     kept = followed._replace(poses=followed.poses._replace(position=followed.poses.position.copy()))
@@ -158,7 +160,7 @@ def _met(
     approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
     times: Array, notes: tuple[Note, ...], parts: list[Known],
 ) -> Meeting:  # fmt: skip
-    """Return a meeting at an instant [s] known to ``instant``, with a ball known to ``deviation`` [m]."""
+    """Return the meeting for standard deviations ``instant`` of first touch [s] and ``deviation`` of the ball [m]."""
     assumed = setup.mapping.assumed
     parts.append(
         Known(
@@ -173,7 +175,7 @@ def _met(
 
 
 def _in_front(approach: Approach, setup: Setup) -> Array:
-    """Return where the centre of a ball lies that touches the face centre at the instant of impact [m]."""
+    """Return the centre of a ball that touches the face centre at the instant of impact [m]."""
     head, now = setup.club, np.zeros(())
     values = series(approach.path.position, now)
     attitude = exponential(values[3:]) @ approach.attitude
@@ -190,7 +192,7 @@ def _impact_notes(detected: DetectedImpact) -> tuple[Note, ...]:
 
 
 def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:
-    """Return the centre of the ball in every frame and where it rests, in world axes as a right-hander sees them."""
+    """Return the ball's centre in every frame and its resting places, in world axes for a right-hander."""
     mapping = setup.mapping
     if mapping.ball is None:
         place = turn @ np.array(mapping.ball_position)
@@ -210,7 +212,7 @@ def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[
 
 
 def _noise(followed: Track, last: int, setup: Setup, where: str) -> tuple[float, int]:
-    """Return the noise of a marker along an axis [m], and the degrees of freedom of its estimate."""
+    """Return the noise of a marker along an axis [m] and the degrees of freedom of its estimate."""
     if setup.mapping.noise is not None:
         return max(setup.mapping.noise, FLOOR), 0
     noise, freedom = followed.noise(np.arange(len(followed.known)) <= last)

@@ -1,13 +1,13 @@
-"""Marker positions over time, read from and written to C3D files by ezc3d.
+"""Recordings: marker positions over time, read from and written to C3D files with ezc3d.
 
-The layout of a file is checked before the library reads it: a file cut short would be read as a shorter recording, and
-a damaged one can take the whole process with it. The layout is that of "The C3D File Format User Guide" (Motion Lab
-Systems): a header of 512 bytes, a section of groups of parameters, and frames of points and analogue samples.
+The layout of a file is checked before the library reads it, because the library would read a truncated file as a
+shorter recording, and a damaged one could crash the process. The layout is that of "The C3D File Format User Guide"
+(Motion Lab Systems): a header of 512 bytes, a section of parameter groups, and frames of points and analogue samples.
 
 The capture program may have filled gaps, frames in which a marker was not seen, with a straight line, with the last
-place seen, or with a spline. A marker of noise never lies on a polynomial to the last digit of a file, a calculated one
-does: its second, fourth or sixth differences vanish, and are anything but zero where the gap begins and ends. Such
-frames show nothing of the club: a line across a gap looks like an impact, and a spline across the impact hides it.
+position, or with a spline. A noisy marker never lies on a polynomial to the last digit of a file, but an interpolated
+one does: its second, fourth or sixth differences vanish inside the gap, and clearly do not at its ends. Such frames
+contain no information on the club: a line across a gap looks like an impact, and a spline across impact hides it.
 """
 
 from __future__ import annotations
@@ -36,44 +36,44 @@ from clubface.units import numbers
 BLOCK = 512
 MAGIC = 0x50
 PROCESSORS = {84: ("<", 15), 85: ("<", 13), 86: (">", 12)}
-"""Order of bytes, and which byte of the header has the sign of its scale: of Intel, DEC and MIPS."""
+"""Byte order, and the header byte that holds the sign of the scale, for Intel, DEC and MIPS."""
 SIZES = {-1: 1, 1: 1, 2: 2, 4: 4}
-"""Bytes of an element by the type of a parameter: letter, byte, integer, float."""
+"""Bytes per element by parameter type: character, byte, integer, float."""
 TEXT = -1
-"""The type of a text."""
+"""Type of text parameters."""
 NUMBERS = {
     "POINT": ("USED", "SCALE", "RATE", "DATA_START", "FRAMES"),
     "ANALOG": ("USED", "GEN_SCALE", "RATE"),
     "ROTATION": ("USED", "DATA_START", "RATE", "RATIO"),
     "FORCE_PLATFORM": ("USED",),
 }
-"""Parameters that hold one number, where they are there; libraries take that for granted."""
+"""Parameters that must hold numbers if they exist; libraries rely on this."""
 MOST_POINTS = 10_000
 NOT_C3D = "this is not a C3D file"
 DAMAGED = "this C3D file is damaged"
 
 
 LAST_DIGIT = 6e-8
-"""Relative rounding of a number in single precision, as files hold them."""
+"""Relative rounding error of single precision, as used in files."""
 SHARP = 30.0
-"""Differences on both sides of a filled gap, where the marker is seen, are at least so many times those that vanish."""
+"""Minimum ratio of the differences on both sides of a filled gap to those that vanish inside."""
 AROUND = 3
-"""Differences looked at on each side, over their order: so many that a kink, as by the impact, makes less than half of
-them in a motion without noise."""
+"""Number of differences examined on each side, per order: enough for a kink, as at impact, to affect fewer than half of
+them in a noise-free motion."""
 ORDERS = (2, 4, 6)
-"""Orders of the differences that vanish on lines, cubics and quintics."""
+"""Orders of the differences that vanish for lines, cubics and quintics."""
 FEWEST = 2
-"""Differences in a row that vanish: one of a marker with 0.01 mm of noise vanishes in 10,000 frames by chance."""
+"""Minimum number of consecutive vanishing differences; with 0.01 mm of noise, one in 10,000 does by chance."""
 SLOW = 0.5
-"""m/s; a marker that moves less on a line may well be at rest."""
+"""Speed below which a marker on a line may simply be at rest [m/s]."""
 WHOLE = 30.0
-"""Times the least change of a coordinate up to which changes are looked at for whole numbers of it."""
+"""Changes of a coordinate up to this multiple of the smallest change are tested for being whole multiples of it."""
 JUMP, FAST = 0.01, 3.0
-"""Metres and m/s; a marker that was held where it was last seen jumps by more."""
+"""Minimum jump [m] and speed [m/s] after a gap that was filled with the last position."""
 
 
 class RecordingHeader(NamedTuple):
-    """What the header says: points and analogue samples in a frame, how many frames, and the number of the first."""
+    """Contents of the header: points and analogue samples per frame, frames, and number of the first frame."""
 
     points: int
     analogues: int
@@ -82,7 +82,7 @@ class RecordingHeader(NamedTuple):
 
 
 def check_layout(path: str | os.PathLike[str]) -> RecordingHeader:
-    """Return what a C3D file says it holds; one that is empty, cut short or damaged is a :class:`FileError`."""
+    """Return the header of a C3D file; raise FileError if the file is empty, truncated or damaged."""
     name = os.fspath(path)
     content = read_input(path)
     if not content:
@@ -98,18 +98,18 @@ def check_layout(path: str | os.PathLike[str]) -> RecordingHeader:
 
 
 class _Parameter(NamedTuple):
-    """One parameter.
+    """A parameter of a C3D file.
 
     Attributes
     ----------
     group, label
-        The number of its group, and its name.
+        Number of its group, and its name.
     kind, dimensions, elements
         Type, number of dimensions, and number of elements.
     value
-        The first of whole numbers.
+        First value of an integer parameter, otherwise 0.
     end
-        Where it ends.
+        Offset of its end.
     """
 
     group: int
@@ -122,7 +122,7 @@ class _Parameter(NamedTuple):
 
 
 class _Reader:
-    """Walks through the bytes of one file."""
+    """Decodes the layout of a C3D file."""
 
     def __init__(self, content: bytes, name: str) -> None:
         self.content, self.name = content, name
@@ -145,12 +145,12 @@ class _Reader:
         end = self.start + self.content[self.start + 2] * BLOCK
         self.parameters(min(end, data) if data > self.start else end)
         if not 0 < points <= MOST_POINTS:
-            raise FileError(self.name, None, f"the file holds {points} points; it needs those of a clubhead")
+            raise FileError(self.name, None, f"the file contains {points} points; it must contain those of a clubhead")
         if self.outcome.get("POINT:USED", points) != points:
-            raise self.damaged(f"the header says {points} points, POINT:USED {self.outcome['POINT:USED']}")
+            raise self.damaged(f"the header has {points} points, POINT:USED {self.outcome['POINT:USED']}")
         if data < self.start or last < first:
-            raise self.damaged("the header says where data begin and end, and they end first")
-        # Letters beyond 65535 frames do not fit the header; POINT:FRAMES has the same limit. The smaller is sure.
+            raise self.damaged("in the header, the data end before they begin")
+        # The header overflows beyond 65535 frames, as does POINT:FRAMES; the smaller number is safe.
         frames = last - first + 1
         frames = min(frames, self.outcome.get("POINT:FRAMES") or frames)
         word = 4 if self.content[self.sign] & 0x80 else 2  # a negative scale marks floating point
@@ -164,7 +164,7 @@ class _Reader:
         return RecordingHeader(points, analogues, frames, first)
 
     def parameters(self, end: int) -> None:
-        """Walk through groups and parameters; refuse what points outside the section."""
+        """Decode groups and parameters; raise FileError for offsets outside the section."""
         at, groups = self.start + 4, {}
         named: list[_Parameter] = []
         while at < end:
@@ -184,7 +184,7 @@ class _Reader:
                 named.append(outcome := self.parameter(at + 2, group, label))
                 used = outcome.end - at
             if step != 0 and (step < used or at + step > end):
-                raise self.damaged(f"{label} is said to end at byte {at + step}, outside its section")
+                raise self.damaged(f"{label} is declared to end at byte {at + step}, outside its section")
             if step == 0:
                 break
             at += step
@@ -195,7 +195,7 @@ class _Reader:
             self.outcome[f"{groups[each.group]}:{each.label}"] = each.value
 
     def check(self, group: str, each: _Parameter) -> None:
-        """Refuse a parameter of another kind than libraries take for granted."""
+        """Raise FileError if a parameter has a different type from what libraries rely on."""
         if group not in NUMBERS:
             return
         if each.label in NUMBERS[group] and (each.kind == TEXT or not each.elements):
@@ -204,7 +204,7 @@ class _Reader:
             raise self.damaged(f"{group}:{each.label} is text without a length")
 
     def parameter(self, at: int, group: int, label: str) -> _Parameter:
-        """Return a parameter that begins with its type."""
+        """Decode a parameter from its type on."""
         kind, count = struct.unpack_from("bB", self.content, at)
         if kind not in SIZES or count > 7:
             raise self.damaged(f"{label} has type {kind} and {count} dimensions")
@@ -220,28 +220,28 @@ class _Reader:
 
 LIBRARY = IsolatedProcess(Path(__file__).with_name("c3d_library.py"))
 MEMORY = 200
-"""Bytes that the library may take for a byte of the file; it takes some 30."""
+"""Memory limit for the library in bytes per byte of the file; it needs about 30."""
 SPEED = 1e6
-"""Bytes a second, slower than any machine reads them."""
+"""Assumed reading speed for the time limit [bytes/s], slower than any machine."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Recording(Described):
-    """The markers of one trial.
+    """Markers of one trial.
 
     Attributes
     ----------
     labels
         Names of the markers.
     positions
-        Positions [m] in the axes of the laboratory, shape (frames, markers, 3); NaN, or masked when they are given,
-        where a marker was not seen.
+        Positions [m] in laboratory axes, shape (frames, markers, 3); NaN (or masked in the argument) where a marker was
+        not seen.
     rate
-        Frames a second [Hz].
+        Frames per second [Hz].
     first_frame
-        Number of the first frame, as the file counts.
+        Number of the first frame in the file.
     path
-        The file, or another name of the source.
+        File name or another name of the source.
     """
 
     labels: tuple[str, ...]
@@ -259,11 +259,11 @@ class Recording(Described):
 
     @property
     def times(self) -> Array:
-        """Times of the frames [s], counted from the first one."""
+        """Times of the frames from the first one [s]."""
         return np.arange(len(self.positions)) / self.rate
 
     def to_result(self) -> Result:
-        """Return its markers as a result: in how many frames each is seen, where first, and its greatest speed."""
+        """Return a table of the markers: number of frames seen, first position, and greatest speed."""
         known = visible(self.positions)
         speeds = np.linalg.norm(np.diff(self.positions, axis=0), axis=-1) * self.rate
         fastest = np.where(np.isfinite(speeds), speeds, -1.0).max(0, initial=-1.0)
@@ -289,12 +289,12 @@ class Recording(Described):
     def markers(self, labels: Iterable[str]) -> Array:
         """Return the positions of several markers [m], shape (frames, markers, 3).
 
-        A name is found as it stands in the file, or after the name of its subject: ``HEAD1`` in ``club:HEAD1``.
+        A name matches as written in the file, or without its subject: ``HEAD1`` matches ``club:HEAD1``.
 
         Raises
         ------
         FileError
-            Some names are not in the file; the message lists those that are.
+            Some names are not in the file; the message lists the names that are.
         """
         wanted = tuple(labels)
         places = [self.place(label) for label in wanted]
@@ -302,11 +302,11 @@ class Recording(Described):
         if missing:
             plural = "markers" if len(missing) > 1 else "marker"
             present = ", ".join(self.labels) or "none"
-            raise FileError(self.path, None, f"no {plural} {', '.join(missing)} here; the file has: {present}")
+            raise FileError(self.path, None, f"the file has no {plural} {', '.join(missing)}; it has: {present}")
         return self.positions[:, [place for place in places if place is not None]]
 
     def place(self, label: str) -> int | None:
-        """Return which of the markers has a name, as for :meth:`markers`; None if there is none."""
+        """Return the index of a marker by name, as for :meth:`markers`; None if there is none."""
         if label in self.labels:
             return self.labels.index(label)
         ends = [place for place, each in enumerate(self.labels) if each.rpartition(":")[2] == label]
@@ -319,19 +319,19 @@ class Recording(Described):
 def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Recording:
     """Read the markers of a C3D file.
 
-    A point that is marked invalid, is not finite, or lies exactly at the origin was not seen, and becomes NaN.
+    A point that is marked invalid, is not finite, or lies exactly at the origin counts as not seen, and becomes NaN.
 
     Parameters
     ----------
     path
         The file.
     unit
-        Unit of length, instead of the one the file names; needed if the file names none.
+        Unit of length, overriding that of the file; needed if the file names none.
 
     Raises
     ------
     FileError
-        The file is missing, empty, cut short, damaged or without points, or its unit of length is unknown.
+        The file is missing, empty, truncated, damaged or without points, or its unit of length is unknown.
     """
     name = os.fspath(path)
     layout = check_layout(name)
@@ -344,7 +344,7 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
             raise FileError(name, None, f"this C3D file cannot be read: {reason}") from None
     points, rate, texts = outcome["points"], outcome["rate"], outcome["texts"]
     if points.ndim != 3 or not points.shape[1] or not points.shape[2]:
-        raise FileError(name, None, "the file holds no points")
+        raise FileError(name, None, "the file contains no points")
     if points.shape[2] < layout.frames:
         raise FileError(name, None, f"the file is cut short: {points.shape[2]} of {layout.frames} frames")
     if not (np.isfinite(rate) and rate > 0.0):
@@ -363,7 +363,7 @@ def read_c3d(path: str | os.PathLike[str], *, unit: str | None = None) -> Record
 
 
 def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
-    """Write the markers of a recording as a C3D file, in mm; markers that were not seen become invalid points."""
+    """Write the markers of a recording as a C3D file in mm; markers that were not seen become invalid points."""
     import ezc3d
 
     target = Path(path)
@@ -380,7 +380,7 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
             file.write(out.name)
         except RuntimeError as error:
             raise FileError(os.fspath(target), None, f"cannot be written: {error}") from None
-        # The library does not tell of a full disk: the ninth word of the file says in which block the points begin.
+        # The library does not report a full disk, so check the size; the header's ninth word is the points' block.
         begin = 512 * (int.from_bytes(out.read(18)[16:], "little") - 1)
         if os.path.getsize(out.name) < begin + points.astype(np.float32).nbytes:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -388,7 +388,7 @@ def write_c3d(recording: Recording, path: str | os.PathLike[str]) -> Path:
 
 
 def _metres(name: str, given: Sequence[str], unit: str | None) -> float:
-    """Return the length [m] of the unit of a file."""
+    """Return the length of a file's unit [m]."""
     if unit is not None:
         return units.size(units.unit(unit, name="units", dimension="length").symbol)
     symbol = given[0] if given else ""
@@ -405,7 +405,7 @@ def _metres(name: str, given: Sequence[str], unit: str | None) -> float:
 
 
 def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recording, list[Note]]:
-    """Return the recording as the cameras saw some of its markers, and notes on what was left out of them."""
+    """Remove interpolated positions of some markers from a recording; return it with notes on what was removed."""
     seen, names = recording.markers(names), tuple(names)
     calculated = filled(seen, recording.rate)
     if not calculated.any():
@@ -422,19 +422,19 @@ def without_filled(recording: Recording, names: Iterable[str]) -> tuple[Recordin
 
 
 def filled(positions: Array, rate: float) -> NDArray[np.bool_]:
-    """Return in which frames each marker was calculated and not seen, shape (frames, markers).
+    """Return in which frames each marker was interpolated rather than seen, shape (frames, markers).
 
-    ``positions`` of the markers [m] have the shape (frames, markers, 3), NaN where one was not seen, at ``rate`` [Hz].
+    ``positions`` [m] has shape (frames, markers, 3), NaN where not seen, at ``rate`` [Hz].
     """
     return np.stack([_filled(each, rate) for each in np.swapaxes(positions, 0, 1)], 1)
 
 
 def _filled(path: Array, rate: float) -> NDArray[np.bool_]:
-    """Return in which frames one marker was calculated; ``path`` has shape (frames, 3)."""
+    """Return in which frames one marker was interpolated; ``path`` has shape (frames, 3)."""
     out = np.zeros(len(path), dtype=bool)
     if not np.isfinite(path).any():
         return out
-    steps = np.abs(np.diff(path, axis=0)).max(-1)  # NaN next to a gap, as all differences
+    steps = np.abs(np.diff(path, axis=0)).max(-1)  # NaN next to a gap, like all differences
     digit = LAST_DIGIT * float(np.nanmax(np.abs(path)))
     coarse = max(digit, _unit(path, digit))
     for order in ORDERS:
@@ -450,18 +450,18 @@ def _filled(path: Array, rate: float) -> NDArray[np.bool_]:
                 continue
             sides = [size[max(first - AROUND * order, 0) : first], size[last + 1 : last + 1 + AROUND * order]]
             seen = [float(np.median(side[np.isfinite(side)])) for side in sides if np.isfinite(side).any()]
-            # A straight line may end with the recording; other motions without noise are as smooth as a spline.
+            # A straight line may end the recording; other noise-free motions are as smooth as a spline.
             enough = len(seen) == 2 or (order == 2 and len(seen) == 1)
             moves = np.linalg.norm(path[first + points] - path[first]) * rate > SLOW * points
             if enough and min(seen) > SHARP * max(limit, coarse) and moves:
-                # A gap lies between frames that were seen, but for one with which the recording begins or ends.
+                # Both ends of a gap were seen, unless it begins or ends the recording.
                 begins, ends = first == 0, first + points == len(path) - 1
                 out[first + (not begins) : first + points + ends] = True
     return out
 
 
 def _unit(path: Array, digit: float) -> float:
-    """Return the unit of which all coordinates are whole numbers [m], as in rounded files; 0 if there is none."""
+    """Return the unit of which all coordinates are multiples [m], as in rounded files; 0 if there is none."""
     changes = np.abs(np.diff(path, axis=0)).ravel()
     changes = changes[changes > 4.0 * digit]
     if not len(changes):

@@ -1,4 +1,4 @@
-"""From the path of the clubhead and the place of the ball to the delivery at first touch, with its covariance."""
+"""From the clubhead's path and the ball's position to the delivery at first touch, with its covariance."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from clubface.equipment.face import nearest
 from clubface.simulation.inputs import OF_CLUB
 
 QUANTITIES = tuple(OF_CLUB)
-"""Order of rows and columns of a covariance."""
+"""Order of rows and columns in a covariance."""
 STEP = 1e-5
-"""Step of the central differences: metres, radians, and their rates a TIME; their error is of its square, 1e-10."""
+"""Step of central differences [m, rad, and their rates per TIME]; the error is of the order of its square, 1e-10."""
 
 
 SEEN = [-1, QUANTITIES.index("toe"), QUANTITIES.index("high")]
-"""Places of the time, toe and high of a delivery, for which there can be evidence."""
+"""Indices of time, toe and high in the outcome, for which there may be evidence."""
 UPDATES = 3
-"""Updates of path, ball and club by evidence; the second moves a ball by under a micrometre where the first moved it
-by 50 mm."""
+"""Number of updates of path, ball and club by evidence; where the first moved a ball by 50 mm, the second moves it by
+less than a micrometre."""
 
 
 class Inputs(NamedTuple):
-    """What a delivery is made of, for many variations at once.
+    """Inputs of a delivery, for many variations at once.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Inputs(NamedTuple):
     ball
         Centre of the ball at rest [m], shape (..., 3).
     club
-        Place and turn of the club against its markers [m, rad], in club axes about the CG, shape (..., 6).
+        Position and rotation of the club relative to its markers [m, rad], in club axes about the CG, shape (..., 6).
     """
 
     position: Array
@@ -46,21 +46,21 @@ class Inputs(NamedTuple):
 
 
 def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[Array, Array]:
-    """Return the delivery at first touch, in the order of ``QUANTITIES``, shape (..., 11), and its time [s], (...).
+    """Return deliveries at first touch in the order of ``QUANTITIES``, shape (..., 11), and times [s], shape (...).
 
-    First touch is when the ball's centre is its radius in front of the face, found by Newton's method from time zero.
-    All is as of a right-hander; path and face angle of a left-hander change their signs later.
+    First touch, when the ball's centre is one radius in front of the face, is found by Newton's method from time zero.
+    Everything is for a right-hander; for a left-hander, path and face angle change sign later.
 
     Parameters
     ----------
     given
         Path, ball and club.
     attitude
-        From club axes to the world where the rotation vector is zero, shape (3, 3).
+        Rotation from club to world axes where the rotation vector is zero, shape (3, 3).
     club
-        Its CG, loft and face.
+        The club, for its CG, loft and face.
     radius
-        Of the ball [m].
+        Radius of the ball [m].
     """
     time = np.zeros(given.ball.shape[:-1])
     turned = exponential(given.club[..., 3:])
@@ -90,9 +90,9 @@ def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[
 
 
 class Evidence(NamedTuple):
-    """What is known of the impact besides path, ball and club: time of first touch [s] and impact point [m].
+    """Further evidence on an impact: time of first touch on the path's clock [s], and impact point, toe and high [m].
 
-    The time is on the clock of the path; the point is towards the toe and high. ``deviations`` are those of the values.
+    ``deviations`` are the standard deviations of the values.
     """
 
     values: Array
@@ -100,21 +100,21 @@ class Evidence(NamedTuple):
 
 
 class Reduced(NamedTuple):
-    """A delivery and how well it is known.
+    """A delivery with its uncertainty.
 
     Attributes
     ----------
     values
-        In the order of ``QUANTITIES``, shape (11,).
+        Values in the order of ``QUANTITIES``, shape (11,).
     time
-        Of first touch [s].
+        Time of first touch [s].
     covariance
-        Of the values, shape (11, 11).
+        Covariance of the values, shape (11, 11).
     inputs
-        From which it follows; with evidence, as that corrects them.
+        Inputs of the delivery, as corrected by evidence.
     surprise
-        Root mean square of how far the evidence is from what is expected without it, in standard deviations of both;
-        0 without evidence.
+        Root mean square deviation of the evidence from its expected values, in combined standard deviations; 0 without
+        evidence.
     """
 
     values: Array
@@ -137,9 +137,9 @@ def with_covariance(
 ) -> Reduced:
     """Return the delivery with its covariance, to first order.
 
-    Markers before impact, the ball's rest and the club on its markers are independent of each other; the derivatives
-    are central differences of :func:`deliver`. Evidence corrects path, ball and club together, each by as much as it is
-    uncertain (a Kalman filter's update, with the derivatives taken anew where it leads).
+    The path, the ball's position and the club's position on its markers are independent. Derivatives are central
+    differences of :func:`deliver`. Evidence corrects path, ball and club together according to their uncertainties, by
+    an iterated Kalman update.
     """
     base = Inputs(path.position, path.rate, ball, np.zeros(6))
     start = np.concatenate([np.ravel(each) for each in base])
@@ -186,7 +186,7 @@ def with_covariance(
 
 
 def gap(position: Array, rotation: Array, ball: Array, club: Club, radius: float) -> tuple[Array, Array]:
-    """Return how far the ball is in front of the face [m], and its centre in face axes [m], frame by frame."""
+    """Return the ball's distance in front of the face [m] and its centre in face axes [m], for each frame."""
     face = rotation @ face_axes(club.loft)
     centre = position + np.einsum("...ij,j->...i", rotation, np.array(club.cg))
     local = np.einsum("...ji,...j->...i", face, ball - centre)
@@ -207,6 +207,6 @@ def _pose(given: Inputs, attitude: Array, club: Club, turned: Array, time: Array
 
 
 def series(coefficients: Array, time: Array) -> Array:
-    """Return what coefficients as of :class:`Path`, shape (..., n, 6), give at ``time`` [s], shape (..., 6)."""
+    """Evaluate coefficients like those in :class:`Path`, shape (..., n, 6), at ``time`` [s]; returns shape (..., 6)."""
     powers = [(time / TIME) ** j / math.factorial(j) for j in range(coefficients.shape[-2])]
     return np.einsum("...j,...ji->...i", np.stack(powers, -1), coefficients)

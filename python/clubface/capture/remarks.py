@@ -1,4 +1,4 @@
-"""Notes on what is doubtful about a captured delivery."""
+"""Notes on doubtful aspects of a captured delivery."""
 
 from __future__ import annotations
 
@@ -18,38 +18,39 @@ from clubface.results.notes import Note, note
 from clubface.support.checks import without_warnings
 
 FASTEST = 70.0
-"""m/s; long drivers' clubheads reach 67 m/s (150 mph)."""
+"""Highest plausible clubhead speed [m/s]; long drivers reach 67 m/s (150 mph)."""
 SLOWEST = 0.3
-"""m/s; the shortest putt."""
+"""Lowest plausible clubhead speed [m/s]: the shortest putt."""
 STARTS = (-0.3e-3, 0.75e-3)
-"""Seconds from first touch to when the ball seems to start at once: half a contact of 0.4 to 0.5 ms, within 0.5 ms."""
+"""Plausible times from first touch to the apparent start of the ball [s]: half a contact of 0.4 to 0.5 ms, to within
+0.5 ms."""
 MIDDLE_OF_CONTACT = 0.2e-3
-"""Seconds from first touch to the middle of a contact, when a ball that is hit seems to start."""
+"""Time from first touch to mid-contact [s], at which a ball appears to start."""
 SMOOTH = -0.35
-"""Correlation of successive steps of the residuals above which they are no white noise; that has -0.5."""
+"""Correlation of successive residual steps above which the residuals are not white noise, which has -0.5."""
 SURE_CORRELATION = 4.0
-"""Standard errors of it by which it must exceed that of white noise as well."""
+"""Number of standard errors by which the correlation must also exceed that of white noise."""
 DIRECTION_OFF = units.to_si(6.0, "deg")
-"""Largest difference of launch and azimuth from the default model; published models: 1.2 degrees."""
+"""Largest difference of launch and azimuth from the default model [rad]; published models differ by 1.2 degrees."""
 SPEED_OFF = 0.15
 ROUGH = 1.5
 ASKEW = units.to_si(30.0, "deg")
-"""Path beyond which the target line is doubted: golfers swing within some 15 degrees of it."""
+"""Path above which the target line is doubtful [rad]; golfers swing within about 15 degrees of it."""
 VAGUE = 0.1
-"""Largest standard deviation of the speed, as a part of it; three markers and assumed places give 0.02."""
+"""Largest relative standard deviation of speed; three markers with assumed positions give 0.02."""
 TOO_MUCH_LOFT, TOO_MUCH_LIE = units.to_si(25.0, "deg"), units.to_si(45.0, "deg")
-"""Largest differences of dynamic loft from the club's, and of the lie from its own."""
+"""Largest differences of dynamic loft from the club's, and of lie from the club's [rad]."""
 OPENING = units.to_si(500.0, "deg/s")
-"""Fastest opening of the face: full swings close it with 1000 to 4000 deg/s, short ones with hardly any."""
+"""Fastest plausible opening of the face [rad/s]; full swings close it at 1000 to 4000 deg/s, short ones hardly."""
 MOVED = 2e-3
-"""Metres; a marker that sits farther from its place on the head is named."""
+"""Displacement on the head above which a marker is named [m]."""
 FEW_FREEDOMS = 30
 ROUNDED = 1e-6
-"""Metres; residuals below it are the rounding of a file in single precision, and no noise."""
+"""Residual below which only single-precision rounding remains, and no noise [m]."""
 
 
 def implausible(values: Mapping[str, float], deviations: Mapping[str, float], club: Club) -> list[Note]:
-    """Return a note on the values of a delivery that no shot has, or that are as good as unknown; none without such."""
+    """Return a note if values of a delivery are physically impossible or practically unknown, else an empty list."""
     off = {
         "speed": not SLOWEST < values["speed"] < FASTEST or deviations["speed"] > VAGUE * values["speed"],
         "path": abs(values["path"]) > ASKEW,
@@ -63,7 +64,7 @@ def implausible(values: Mapping[str, float], deviations: Mapping[str, float], cl
 def delivery_notes(
     values: Mapping[str, float], deviations: Mapping[str, float], club: Club, *, assumed: float = 0.0
 ) -> Iterator[Note]:
-    """Yield notes on implausible values of a delivery; ``assumed`` is by how much the loft is assumed."""
+    """Yield notes on implausible values of a delivery; ``assumed`` is the assumed part of the loft's deviation."""
     toe, high = values["toe"], values["high"]
     if abs(toe) > 0.5 * club.face_width or abs(high) > 0.5 * club.face_height:
         face = {"face_width": club.face_width, "face_height": club.face_height}
@@ -87,7 +88,7 @@ def delivery_notes(
 def launch_notes(
     values: Mapping[str, float], club: Club, ball: Any, seen: Launched | None, start: float
 ) -> Iterator[Note]:
-    """Yield how the flight of the ball contradicts the delivery; then club, mapping or calibration are in doubt."""
+    """Yield notes on contradictions between ball flight and delivery, which cast doubt on club, map or calibration."""
     if seen is None:
         return
     late = seen.start - start
@@ -112,7 +113,7 @@ def launch_notes(
 
 
 def track_notes(followed: Track, cluster: Registration, first_frame: int) -> Iterator[Note]:
-    """Yield what had to be corrected in the markers of the clubhead."""
+    """Yield notes on corrections to the clubhead's markers."""
 
     def counted(frames: Sequence[int]) -> list[int]:
         return [each + first_frame for each in frames]
@@ -133,7 +134,7 @@ def track_notes(followed: Track, cluster: Registration, first_frame: int) -> Ite
 
 
 def filter_notes(followed: Track, before: int) -> Iterator[Note]:
-    """Yield that the markers were low-pass filtered, as far as their residuals up to frame ``before`` show it."""
+    """Yield a note if the residuals up to frame ``before`` show that the markers were low-pass filtered."""
     frames = np.arange(len(followed.known)) <= before
     correlation, count = followed.step_correlation(frames)
     noise, _ = followed.noise(frames)
@@ -142,7 +143,7 @@ def filter_notes(followed: Track, before: int) -> Iterator[Note]:
 
 
 def fit_notes(misfit: float, missing: int, freedom: int) -> Iterator[Note]:
-    """Yield what is doubtful about the path and its noise."""
+    """Yield notes on doubts about the path and its noise."""
     if missing > 1:
         yield note("capture-path-extended", missing=missing)
     if misfit > ROUGH:

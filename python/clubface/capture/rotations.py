@@ -1,11 +1,11 @@
-"""Rotations, attitudes of a clubhead, and the poses of rigid clusters of markers.
+"""Rotations, attitudes of a clubhead, and poses of rigid marker clusters.
 
-Rotations are matrices, or rotation vectors (axis times angle), for stacks of them at once. An attitude is dynamic loft,
-face angle and lie. Poses are fitted by least squares (Kabsch 1976, Umeyama 1991).
+Rotations are stacks of matrices or of rotation vectors (axis times angle). An attitude consists of dynamic loft, face
+angle and lie. Poses are fitted by least squares (Kabsch 1976, Umeyama 1991).
 
-Axes of the world: x towards the target, y up, z to the right. Axes of the club: the same at its static loft, with the
-sole down, the face towards the target, and z towards the toe. Everything here is for a right-hander. The caller mirrors
-a left-hander in z before, and changes the sign of the face angle after.
+World axes: x towards the target, y up, z to the right. Club axes: the same for the club at its static loft, with the
+sole down and the face towards the target; z towards the toe. Everything here is for a right-hander. For a left-hander,
+the caller first mirrors in z, and changes the sign of the face angle afterwards.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from numpy.typing import NDArray
 Array = NDArray[Any]
 
 SMALL = 1e-4
-"""Angle [rad] below which series replace quotients; their next term is of order 1e-17."""
+"""Angle below which series replace quotients [rad]; their next term is of order 1e-17."""
 
 
 def mirror(hand: int) -> Array:
-    """Return the factors that take the world of a right-hander to that of a hand (1 right, -1 left), shape (3,)."""
+    """Return the factors from the right-hander's world to that of ``hand`` (1 right, -1 left), shape (3,)."""
     return np.array([1.0, 1.0, float(hand)])
 
 
 def skew(v: Any) -> Array:
-    """Return the matrices that take a vector w to v × w; ``v`` of shape (..., 3) gives (..., 3, 3)."""
+    """Return the matrices of the cross product v × w; ``v`` of shape (..., 3) gives (..., 3, 3)."""
     v = np.asarray(v, dtype=np.float64)
     out = np.zeros((*v.shape, 3))
     out[..., 0, 1], out[..., 0, 2] = -v[..., 2], v[..., 1]
@@ -44,9 +44,9 @@ def exponential(vector: Any) -> Array:
 
 
 def logarithm(rotation: Any) -> Array:
-    """Return the rotation vectors [rad] of rotation matrices, of a length below pi; (..., 3, 3) gives (..., 3).
+    """Return the rotation vectors [rad] of rotation matrices, shorter than pi; (..., 3, 3) gives (..., 3).
 
-    Not meant for half turns, where the sense of the axis is lost.
+    Not for half turns, for which the sense of the axis is lost.
     """
     r = np.asarray(rotation, dtype=np.float64)
     twice_sine = np.stack([r[..., 2, 1] - r[..., 1, 2], r[..., 0, 2] - r[..., 2, 0], r[..., 1, 0] - r[..., 0, 1]], -1)
@@ -58,7 +58,7 @@ def logarithm(rotation: Any) -> Array:
 
 
 def left_jacobian(vector: Any) -> Array:
-    """Return the matrices that take the rate of a rotation vector to the angular velocity in fixed axes.
+    """Return the matrices from the rate of a rotation vector to the angular velocity in fixed axes.
 
     J = 1 + (1 - cos a)/a^2 K + (a - sin a)/a^3 K^2 with K the matrix of the vector and a its length; (..., 3, 3).
     """
@@ -68,7 +68,7 @@ def left_jacobian(vector: Any) -> Array:
 
 
 def _quotients(vector: Any) -> tuple[Array, Array, Array]:
-    """Return sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3 of the lengths a."""
+    """Return sin(a)/a, (1 - cos a)/a^2 and (a - sin a)/a^3 for the lengths a."""
     a = np.linalg.norm(np.asarray(vector, dtype=np.float64), axis=-1)
     small = a < SMALL
     safe = np.where(small, 1.0, a)
@@ -80,7 +80,7 @@ def _quotients(vector: Any) -> tuple[Array, Array, Array]:
 
 
 def about(axis: int, angle: Any) -> Array:
-    """Return the rotation matrices by ``angle`` [rad] about x, y or z (0, 1, 2)."""
+    """Return the rotation matrices for ``angle`` [rad] about x, y or z (0, 1, 2)."""
     vector = np.zeros((*np.shape(angle), 3))
     vector[..., axis] = angle
     return exponential(vector)
@@ -92,11 +92,11 @@ def face_axes(static_loft: Any) -> Array:
 
 
 def delivered(loft: Any, face: Any, lie: Any, static_loft: Any) -> Array:
-    """Return the rotation from club axes to the world, shape (..., 3, 3), for angles [rad] that broadcast.
+    """Return the rotations from club to world axes, shape (..., 3, 3), for angles [rad] that broadcast.
 
-    The club is tilted by the lie, toe up. Its face normal is yawed back to azimuth zero and turned about z until its
-    elevation is the dynamic loft. Then the club is yawed right by the face angle. Dynamic loft and face angle are exact
-    at any lie.
+    The club is tilted by the lie, toe up; yawed so that its face normal has azimuth zero; rotated about z until the
+    normal's elevation is the dynamic loft; and finally yawed right by the face angle. Dynamic loft and face angle are
+    thus exact at any lie.
     """
     loft, face, lie, static_loft = np.broadcast_arrays(*(np.asarray(v, float) for v in (loft, face, lie, static_loft)))
     tilt = about(0, -lie)
@@ -107,11 +107,11 @@ def delivered(loft: Any, face: Any, lie: Any, static_loft: Any) -> Array:
 
 
 def angles(rotation: Any, static_loft: Any) -> tuple[Array, Array, Array]:
-    """Return dynamic loft, face angle and lie [rad] of a rotation from club axes to the world.
+    """Return dynamic loft, face angle and lie [rad] of a rotation from club to world axes.
 
-    This is the inverse of :func:`delivered`. Let D be the attitude of the face turned back by the face angle, w the
-    component of its toe axis along z, and u the component along the upward direction in the face. Then tan(lie) =
-    cos(static loft) u/w.
+    The inverse of :func:`delivered`. For the face's attitude, turned back by the face angle, let w be the component of
+    the toe axis along z and u its component along the upward direction in the face; then
+    tan(lie) = cos(static loft) u/w.
     """
     attitude = np.asarray(rotation, dtype=np.float64) @ face_axes(static_loft)
     normal, toe = attitude[..., :, 0], attitude[..., :, 2]
@@ -124,25 +124,25 @@ def angles(rotation: Any, static_loft: Any) -> tuple[Array, Array, Array]:
 
 
 FEWEST = 3
-"""Markers that fix a pose, unless they lie on a line."""
+"""Minimum number of markers for a pose, unless they lie on a line."""
 
 
 def visible(points: Any) -> NDArray[np.bool_]:
-    """Return which points [..., 3] were seen: those without a NaN."""
+    """Return which points (..., 3) were seen, that is, contain no NaN."""
     return np.asarray(np.all(np.isfinite(points), axis=-1))
 
 
 class Poses(NamedTuple):
-    """Poses of a body in frames.
+    """Poses of a body in all frames.
 
     Attributes
     ----------
     position
-        Of the body's origin [m], shape (frames, 3); NaN where there is no pose.
+        Position of the body's origin [m], shape (frames, 3); NaN without a pose.
     rotation
-        From body axes to the laboratory, shape (frames, 3, 3).
+        Rotation from body to laboratory axes, shape (frames, 3, 3).
     residuals
-        What is left between markers and body [m], shape (frames, markers, 3); NaN where a marker was not seen.
+        Residuals between markers and body [m], shape (frames, markers, 3); NaN where a marker was not seen.
     """
 
     position: Array
@@ -153,17 +153,16 @@ class Poses(NamedTuple):
 def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:
     """Fit rotation and position of a rigid body to its markers, frame by frame.
 
-    Minimises the weighted sum of squared distances by the singular values of the covariance of both sets; the sign of
-    the least one is chosen so that no frame gives a reflection. Markers have the ``shape`` (markers, 3) in body axes
-    [m] and are ``observed`` in the laboratory, (frames, markers, 3), NaN where one was not seen; their weights are
-    equal unless given.
+    Minimises the weighted sum of squared distances by a singular value decomposition of the cross-covariance, with the
+    sign of the smallest value chosen so that no frame gives a reflection. ``shape`` (markers, 3) is in body axes [m],
+    ``observed`` (frames, markers, 3) in laboratory axes, NaN where not seen; weights default to 1.
     """
     shape, observed = np.asarray(shape, dtype=np.float64), np.asarray(observed, dtype=np.float64)
     given = np.ones(len(shape)) if weights is None else np.asarray(weights, dtype=np.float64)
     seen = visible(observed)
     w = seen * given
     usable = seen.sum(-1) >= FEWEST
-    w = np.where(usable[:, None], w, given)  # frames without a pose are computed with zeros and marked at the end
+    w = np.where(usable[:, None], w, given)  # frames without a pose are computed with zeros, then set to NaN
     y = np.where(seen[..., None], observed, 0.0)
     total = w.sum(-1)
     here = np.einsum("km,mi->ki", w, shape) / total[:, None]
@@ -173,7 +172,7 @@ def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:
     sign = np.sign(np.linalg.det(left) * np.linalg.det(right))
     left[..., 2] *= sign[:, None]
     rotation = left @ right
-    # Markers on a line leave the turn about it open: the second singular value is then as small as the third.
+    # With markers on a line, the rotation about it is undetermined: the second singular value is as small as the third.
     usable &= size[:, 1] > 1e-4 * size[:, 0]
     position = there - np.einsum("kij,kj->ki", rotation, here)
     residuals = observed - position[:, None] - np.einsum("kij,mj->kmi", rotation, shape)
@@ -182,15 +181,15 @@ def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:
 
 
 def degrees_of_freedom(residuals: Array) -> NDArray[np.int64]:
-    """Return how many independent residuals each frame has: three a marker, less six of the pose."""
+    """Return the number of independent residuals per frame: three per marker, minus six of the pose."""
     return np.maximum(3 * visible(residuals).sum(-1) - 6, 0)
 
 
 def pose_information(shape: Any, rotation: Any, seen: Any) -> Array:
-    """Return the information that markers of unit noise [1 m] hold on position and rotation, shape (frames, 6, 6).
+    """Return the information on position and rotation in markers with unit noise [1 m], shape (frames, 6, 6).
 
-    Its inverse is the covariance of (position [m], turn [rad] in laboratory axes), for markers of equal and independent
-    noise in every direction.
+    Its inverse is the covariance of (position [m], rotation in laboratory axes [rad]) for markers with equal,
+    independent and isotropic noise.
     """
     arms = np.einsum("kij,mj->kmi", rotation, shape)
     jacobian = np.concatenate([np.broadcast_to(np.eye(3), (*arms.shape[:2], 3, 3)), -skew(arms)], -1)

@@ -1,8 +1,6 @@
-"""What all swings of a session share, and the axes of their laboratory.
+"""Setup of a session, shared by all its swings: marker map, club, ball, calibration, and laboratory axes.
 
-What all swings of a session share: which marker is what, the club, the ball, and the calibration.
-
-From the axes of a laboratory to the world: x to the target, y up, z to the right of the target line.
+World axes: x to the target, y up, z to the right of the target line.
 """
 
 from __future__ import annotations
@@ -26,11 +24,11 @@ from clubface.errors import FileError, InputError
 from clubface.support.checks import check_choice
 
 STEEP = 0.5
-"""Sine of the steepest target line: beyond, the two markers are no target line."""
+"""Sine of the steepest slope between two markers that define the target line."""
 
 
 def axis(name: str) -> Array:
-    """Return the unit vector called "+x", "-x", ... in the laboratory."""
+    """Return the unit vector for "+x", "-x" and so on in laboratory axes."""
     vector = np.zeros(3)
     vector["xyz".index(name[1])] = -1.0 if name[0] == "-" else 1.0
     return vector
@@ -39,13 +37,13 @@ def axis(name: str) -> Array:
 def to_world(mapping: MarkerMap, recording: Recording) -> Array:
     """Return the rotation from laboratory to world axes, shape (3, 3).
 
-    The target is the axis named by the mapping, or the level direction from the one marker to the other of the target
-    line, at the mean of their positions in ``recording``.
+    The target is the axis named in the map, or the horizontal direction between the two markers of the target line at
+    their mean positions in ``recording``.
 
     Raises
     ------
     FileError
-        Markers of the target line that are not in the file, never seen, in one place or above each other.
+        Markers of the target line are missing, never seen, coincident, or above each other.
     """
     up = axis(mapping.up)
     if isinstance(mapping.target, str):
@@ -63,7 +61,7 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
             raise FileError(
                 recording.path,
                 None,
-                f"{names} give no target line: {units.fixed(length, 'mm', 0)} apart, {mapping.up} is up",
+                f"{names} define no target line; they are {units.fixed(length, 'mm', 0)} apart, and {mapping.up} is up",
             )
         target = target - (target @ up) * up
         target = target / np.linalg.norm(target)
@@ -72,18 +70,18 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Setup:
-    """A laboratory ready to read swings.
+    """Everything needed to read the swings of a session.
 
     Attributes
     ----------
     mapping
-        Which marker is what, options applied.
+        Marker map with options applied.
     club, ball
-        What meets what.
+        The club and the ball.
     estimator, roughness
-        How the last frames are extended to impact.
+        How the last frames are extrapolated to impact.
     registration
-        The cluster on the club, or None where each swing holds its own calibration.
+        Registration of the cluster on the club, or None if each swing contains its own calibration.
     """
 
     mapping: MarkerMap
@@ -94,12 +92,12 @@ class Setup:
     registration: Registration | None
 
     def turn(self, recording: Recording) -> Array:
-        """Return the matrix from the laboratory to the world as a right-hander sees it, shape (3, 3)."""
+        """Return the matrix from laboratory axes to the world for a right-hander, shape (3, 3)."""
         turn = to_world(self.mapping, recording)
         return mirror(self.club.hand)[:, None] * turn
 
     def cluster(self, recording: Recording) -> Registration:
-        """Return the cluster on the club, calibrated from ``recording`` where no other file is."""
+        """Return the registration of the cluster on the club, from ``recording`` if no other file gives it."""
         if self.registration is not None:
             return self.registration
         turn = self.turn(recording)
@@ -111,7 +109,7 @@ class Setup:
 
 
 class Options(TypedDict, total=False):
-    """What :func:`read_swing` and :func:`read_swings` take by name; the same as :func:`prepare`."""
+    """Keyword options of :func:`read_swing` and :func:`read_swings`, as for :func:`prepare`."""
 
     estimator: str
     roughness: float
@@ -136,36 +134,36 @@ def prepare(
     unit: str | None = None,
     noise: Any = None,
 ) -> Setup:
-    """Return the set-up of a session; this reads the calibration file.
+    """Prepare the setup of a session, which includes reading the calibration file.
 
     Parameters
     ----------
     mapping
-        Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
+        Marker map: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     estimator
-        "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
+        "smoother", "polynomial", or "linear" (the straight lines of Caldwell and McPhee, 2023).
     roughness
-        For the smoother: how much the path may depart from a quartic.
+        For the smoother: how far the path may depart from a quartic.
     ball
-        The ball, whose radius is used; `modern` if left out.
+        The ball, for its radius; default ``modern``.
     hand
-        "right" or "left"; that of the club if left out.
+        "right" or "left"; default: the club's.
     target, up
-        Axes of the laboratory such as "+y", instead of those of the mapping.
+        Laboratory axes such as "+y", overriding those of the map.
     unit
-        Unit of length of the files, instead of the one they name.
+        Unit of length of the files, overriding their own.
     noise
-        Standard deviation of a marker along an axis, such as "0.3 mm". If left out: that of the mapping, or an estimate
-        from the residuals.
+        Standard deviation of a marker along an axis, such as "0.3 mm". Default: the map's, or an estimate from
+        residuals.
 
     Raises
     ------
     FileError
         A mapping or calibration file cannot be used.
     InputError
-        An option cannot be used, or the club is not that of the mapping.
+        An option is invalid, or the club is not that of the map.
     """
     estimator_of(estimator)
     words: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}

@@ -1,4 +1,4 @@
-"""How well the estimators read deliveries: bias, spread and coverage on swings whose truth is known."""
+"""Accuracy of the estimators: bias, spread and coverage on synthetic swings with known truth."""
 
 from __future__ import annotations
 
@@ -46,29 +46,29 @@ UNITS = {
     name: "m/s" if name == "speed" else display_unit(name, units.SI_UNITS[dimension])
     for name, dimension in OF_CLUB.items()
 }
-"""Units in which errors are shown: m/s, deg, mm, deg/s."""
+"""Units in which errors are displayed: m/s, deg, mm, deg/s."""
 DRAWN = ("speed", "attack", "path", "loft", "face", "toe", "high", "closure")
 REMEDY = "finish that study, or name another folder"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Study(Described):
-    """Errors of the estimators on the same swings, in SI units.
+    """Errors of several estimators on the same swings, in SI units.
 
     Attributes
     ----------
     club
         The club of the swings.
     cameras
-        The laboratory.
+        Cameras of the laboratory.
     errors
         Captured minus true deliveries by estimator, shape (swings, 11), in the order of ``QUANTITIES``.
     deviations
-        The standard deviations that the estimators state.
+        Standard deviations stated by the estimators.
     touches
-        Errors of the instant of first touch [s], shape (swings,).
+        Errors of the time of first touch [s], shape (swings,).
     truth
-        The true deliveries, shape (swings, 11).
+        True deliveries, shape (swings, 11).
     """
 
     club: Club
@@ -82,7 +82,7 @@ class Study(Described):
         return len(next(iter(self.errors.values())))
 
     def figures(self, name: str) -> dict[str, Array]:
-        """Return what the errors of an estimator come to by quantity [SI]: the keys are those of the methods below."""
+        """Return statistics of an estimator's errors by quantity [SI], under the names of the methods below."""
         errors = self.errors[name]
         return {
             "bias": errors.mean(0), "spread": errors.std(0, ddof=1), "worst": np.abs(errors).max(0),
@@ -90,37 +90,37 @@ class Study(Described):
         }  # fmt: skip
 
     def bias(self, name: str) -> dict[str, float]:
-        """Return the mean errors of an estimator by quantity [UNITS]."""
+        """Return an estimator's mean errors by quantity [UNITS]."""
         return _in_units(self.figures(name)["bias"])
 
     def spread(self, name: str) -> dict[str, float]:
-        """Return the standard deviations of the errors of an estimator [UNITS]."""
+        """Return the standard deviations of an estimator's errors by quantity [UNITS]."""
         return _in_units(self.figures(name)["spread"])
 
     def worst(self, name: str) -> dict[str, float]:
-        """Return the largest errors of an estimator [UNITS]."""
+        """Return an estimator's largest errors by quantity [UNITS]."""
         return _in_units(self.figures(name)["worst"])
 
     def stated(self, name: str) -> dict[str, float]:
-        """Return the root mean square of the standard deviations that an estimator states [UNITS]."""
+        """Return the root mean square of an estimator's stated standard deviations by quantity [UNITS]."""
         return _in_units(self.figures(name)["stated"])
 
     def coverage(self, name: str, level: float = 0.95) -> dict[str, float]:
-        """Return how often intervals of an estimator hold the truth, by quantity; refused swings do not count."""
+        """Return how often an estimator's intervals contain the truth, by quantity; rejected swings are excluded."""
         half = NormalDist().inv_cdf(0.5 + 0.5 * level)
         inside = np.abs(self.errors[name]) < half * self.deviations[name]
         read = np.isfinite(self.errors[name][:, 0])
         return dict(zip(QUANTITIES, inside[read].mean(0).tolist(), strict=True))
 
     def launch_errors(self, name: str, model: str = DEFAULT_MODEL) -> dict[str, Array]:
-        """Return the error of a launch that is computed from the captured instead of the true deliveries.
+        """Return the launch errors that result from using captured instead of true deliveries.
 
         Parameters
         ----------
         name
             The estimator.
         model
-            The model of the impact, with its published parameters.
+            Impact model, with its published parameters.
 
         Returns
         -------
@@ -134,7 +134,7 @@ class Study(Described):
         return {each: getattr(seen, each) - getattr(true, each) for each in LAUNCH}
 
     def to_result(self) -> Result:
-        """Return the errors of the estimators as a result, a row a quantity and estimator."""
+        """Return the errors as a result, one row per quantity and estimator."""
         noise, names = self.cameras.noise, list(self.errors)
         rows = [(place, name) for place in range(len(QUANTITIES)) for name in names]
         kinds = [quantity(QUANTITIES[place]) for place, _ in rows]
@@ -163,12 +163,12 @@ class Study(Described):
 
 
 def study_picture(studies: Mapping[str, Study]) -> Picture:
-    """Return bias and spread of every estimator: one panel a quantity, one group of lines a study.
+    """Plot bias and spread of every estimator: one panel per quantity, one group of lines per study.
 
     Parameters
     ----------
     studies
-        The studies by the text written next to each group, such as "no noise".
+        The studies by group label, such as "no noise".
     """
     groups = Axis(names=list(studies), reversed=True, limits=(-0.6, len(studies) - 0.4))
     panels = [Panel(list(_error_marks(studies, name)), axis(name, unit=UNITS[name]), groups) for name in DRAWN]
@@ -202,16 +202,16 @@ def study(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Study:
-    """Read ``count`` synthetic swings with each estimator and compare the deliveries with the truth.
+    """Read ``count`` synthetic swings with each estimator, and compare the deliveries with the truth.
 
     Parameters
     ----------
     count
         Number of swings.
     club, hand
-        The club, and the hand of the player.
+        The club, and the player's hand.
     cameras
-        The laboratory; 720 Hz and no noise if left out.
+        Cameras of the laboratory; default 720 Hz and no noise.
     estimators
         Names of the estimators.
     roughness
@@ -219,15 +219,15 @@ def study(
     seed
         The same seed gives the same swings and noise.
     checkpoint
-        A folder that keeps the swings that are read, for the same study to go on after an interruption. It is removed
-        when all are.
+        A folder that stores swings already read, so that the study can continue after an interruption. It is removed
+        at the end.
     progress
-        Called with the number of swings read and the number of swings.
+        Called with the number of swings read and the total.
 
     Raises
     ------
     FileError
-        The checkpoint belongs to another study, or to a process that is running.
+        The checkpoint belongs to another study, or is in use by another process.
     """
     check_swings(count, seed)
     seen = cameras or Cameras()
@@ -254,22 +254,22 @@ def study(
 
 
 def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: Iterable[Setup]) -> list[Any]:
-    """Return what readings of one synthetic swing give, a function of seed and number alone.
+    """Read one synthetic swing with several setups; the outcome depends on ``seed`` and ``number`` only.
 
     Parameters
     ----------
     number, seed
-        Which swing.
+        Identify the swing.
     club, cameras
-        The club, and the laboratory.
+        The club, and the cameras.
     ready
-        How it is read.
+        Setups with which it is read.
 
     Returns
     -------
     list
-        The true delivery, shape (11,); then of the readings errors and stated deviations, shape (readings, 11), and
-        errors of the instant of first touch, all SI.
+        The true delivery, shape (11,); then errors and stated standard deviations per setup, shape (setups, 11), and
+        errors of the time of first touch; all in SI units.
     """
     swing = random_swing(np.random.default_rng([seed, number, 0]), club=club)
     truth = np.array([swing.truth[name] for name in QUANTITIES])
@@ -281,9 +281,9 @@ def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: I
 
 
 WAYS = ("address", "swing", "address, markers measured")
-"""How :func:`bare_study` reads a swing; the last with positions of the markers that are off by ``RULER``."""
+"""Calibrations compared by :func:`bare_study`; in the last, marker positions have errors of ``RULER``."""
 RULER = 5e-3
-"""Metres; standard deviation of positions taken with a ruler."""
+"""Standard deviation of positions measured with a ruler [m]."""
 
 
 def bare_study(
@@ -295,12 +295,12 @@ def bare_study(
     ways: Iterable[str] = WAYS,
     seed: int = 1,
 ) -> Study:
-    """Read synthetic swings that show three markers on the head and no ball, and compare with the truth.
+    """Read synthetic swings with three markers on the head and no ball, and compare with the truth.
 
-    What the reader assumes is drawn for every swing from the spreads that it assumes: angles at address, the place of
-    the markers, lie and impact point. The impact is that of another published model from swing to swing, so that the
-    reader's own model is not the truth. The parameters are those of :func:`study`; errors are by the way of calibration
-    instead of the estimator, and a swing that is refused has NaN.
+    Everything the reader assumes is drawn for each swing from its assumed distribution: angles at address, marker
+    positions, lie and impact point. The impact model varies from swing to swing among the published ones, so that the
+    reader's own model is not the truth. Parameters are as for :func:`study`; errors are by calibration instead of
+    estimator, and NaN for rejected swings.
     """
     check_swings(count, seed)
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)

@@ -1,9 +1,9 @@
-"""From recordings of swings to deliveries and tables of shots, joined with the launches of a monitor.
+"""From recordings of swings to deliveries and tables of shots, joined with launches from a launch monitor.
 
-Camera system and monitor each miss shots of their own, so rows cannot be paired by counting. Both keep the order in
-which the shots were hit, and both see a part of each shot: ball speed and launch angle, and the speed of the clubhead.
-The pairs are the alignment of the two series with the least deviation, found by dynamic programming (S. B. Needleman
-and C. D. Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
+A camera system and a launch monitor each miss some shots, so rows cannot be paired by number. Both keep the order of
+the shots, and both measure some of the same quantities: ball speed, launch angle, clubhead speed. Shots are paired by
+the alignment of the two series with the smallest deviation, found by dynamic programming (S. B. Needleman and C. D.
+Wunsch, Journal of Molecular Biology 48 (1970) 443-453).
 """
 
 from __future__ import annotations
@@ -52,28 +52,27 @@ def read_swing(
     path
         The file.
     mapping
-        Which marker is what: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
+        Marker map: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
     club
         A built-in name, the path of a TOML file, or a :class:`Club`.
     **options
-        ``estimator``: "smoother", "polynomial", or "linear", the straight lines of Caldwell and McPhee (2023).
-        ``roughness``: for the smoother, how much the path may depart from a quartic. ``ball``: its radius is used.
-        ``hand``: "right" or "left"; that of the club if left out. ``target`` and ``up``: axes of the laboratory such as
-        "+y", instead of those of the mapping. ``unit``: the unit of length, instead of the one the file names.
-        ``noise``: the standard deviation of a marker along an axis, such as "0.3 mm"; if left out, that of the mapping,
-        or an estimate from the residuals.
+        ``estimator``: "smoother", "polynomial", or "linear" (the straight lines of Caldwell and McPhee, 2023).
+        ``roughness``: for the smoother, how far the path may depart from a quartic. ``ball``: the ball, for its radius.
+        ``hand``: "right" or "left"; default: the club's. ``target`` and ``up``: laboratory axes such as "+y",
+        overriding those of the map. ``unit``: the unit of length, overriding the file's. ``noise``: the standard
+        deviation of a marker along an axis, such as "0.3 mm"; default: the map's, or an estimate from residuals.
 
     Raises
     ------
     FileError
         The file cannot be read, markers are missing or do not fit, or the swing has no impact.
     InputError
-        An option cannot be used, or the club is not that of the mapping.
+        An option is invalid, or the club is not that of the map.
 
     Warns
     -----
     CaptureWarning
-        For each thing that was corrected or is doubtful; ``notes`` of the result holds them as well.
+        For every correction or doubt; they are also in the ``notes`` of the result.
     """
     prepared = prepare(mapping, club, **options)
     outcome = capture(read_c3d(path, unit=prepared.mapping.unit), prepared)
@@ -83,7 +82,7 @@ def read_swing(
 
 
 def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
-    """Return the delivery of one recording; the errors are those of :func:`read_swing`."""
+    """Return the delivery of one recording; raises the errors of :func:`read_swing`."""
     outcome = _captured(recording, setup)
     if abs(outcome.delivery.path) > 0.5 * math.pi:
         raise FileError(recording.path, None, _away(outcome, recording, setup))
@@ -91,7 +90,7 @@ def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
 
 
 def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
-    """Return the delivery of one recording, wherever the head goes."""
+    """Return the delivery of one recording, whatever the direction of the head."""
     where, head, radius = recording.path, setup.club, setup.ball.radius
     recording, left_out = without_filled(recording, setup.mapping.cluster)
     turn, cluster = setup.turn(recording), setup.cluster(recording)
@@ -151,7 +150,7 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
 
 
 def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
-    """Say what to do about a head that moves away from the target: turn the axis if that helps, and else not."""
+    """Describe a head that moves away from the target, and suggest another target axis if that helps."""
     away = "the clubhead moves away from the target"
     mapping, given = setup.mapping, setup.mapping.target
     if isinstance(given, str) and (setup.registration is None or mapping.way in ("positions", "face")):
@@ -162,15 +161,15 @@ def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
                 continue
             if plausible:
                 return (
-                    f"{away}: turn the axis that points to it; {axis} gives a plausible delivery (target under"
-                    f" [laboratory], or --target={axis})"
+                    f"{away}; {axis} as the target axis gives a plausible delivery (target under [laboratory], or"
+                    f" --target={axis})"
                 )
     address = "".join(f" ({each})" for each in result.notes if each.code.startswith("capture-address"))
-    return f"{away} in frame {result.frames[0]}, where the impact seems to be. {result.notes[0]}{address}"
+    return f"{away} in frame {result.frames[0]}, where impact was detected. {result.notes[0]}{address}"
 
 
 def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) -> Trace:
-    """Return the head through the recording, with the club where it stands on its markers."""
+    """Return the head's motion through the recording, with the club located on its markers."""
     head, rotation = setup.club, followed.poses.rotation
     arm, turned = inputs.club[:3], rotation @ exponential(inputs.club[3:])
     centre = followed.poses.position + rotation @ arm + turned @ np.array(head.cg)
@@ -185,7 +184,7 @@ def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) 
 
 
 def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[str, float]]:
-    """Return speed, launch angle and azimuth of the ball, and their standard deviations."""
+    """Return ball speed, launch angle and azimuth, and their standard deviations."""
     if flown is None:
         return {}, {}
     speed, launch, azimuth = remarks.directions(flown.velocity)
@@ -198,18 +197,18 @@ def _launch(flown: Launched | None, hand: int) -> tuple[dict[str, float], dict[s
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CapturedSwings(Described):
-    """The deliveries of many recordings.
+    """Deliveries of many recordings.
 
     Attributes
     ----------
     captured
-        The deliveries that could be read, in the order of the files.
+        Deliveries that were read, in the order of the files.
     places
-        The place of each of them among the files, from 1.
+        Position of each among the files, counted from 1.
     rejected
-        The files that gave no delivery: their places and the reasons.
+        Files without a delivery: their positions and the reasons.
     interrupted
-        Whether Ctrl-C ended the reading before the last file.
+        Whether Ctrl-C stopped the reading before the last file.
     """
 
     captured: tuple[CapturedDelivery, ...]
@@ -221,22 +220,22 @@ class CapturedSwings(Described):
         return len(self.captured)
 
     def to_result(self) -> Result:
-        """Return the deliveries, and the files that gave none, as a result."""
+        """Return the deliveries, and the files without one, as a result."""
         return captured_result(self.captured, self.rejected)
 
     @property
     def shots(self) -> RecordedShots:
-        """The table of deliveries and launches."""
+        """Table of deliveries and launches."""
         return self._table("c3d", [_values(each) for each in self.captured], [each.launch for each in self.captured])
 
     @property
     def uncertainty(self) -> RecordedShots:
-        """A table like ``shots`` that holds the standard deviations."""
+        """Table of the standard deviations of ``shots``."""
         deviations = [each.uncertainty for each in self.captured]
         return self._table("c3d standard deviations", deviations, [each.launch_uncertainty for each in self.captured])
 
     def write(self, path: str | os.PathLike[str]) -> list[Path]:
-        """Write the shots to a CSV or Parquet file, and their standard deviations next to it: ``shots.sd.csv``."""
+        """Write the shots to a CSV or Parquet file, and their standard deviations to another: ``shots.sd.csv``."""
         target = Path(path)
         sibling_file = target.with_name(f"{target.stem}.sd{target.suffix}")
         self.shots.write(target)
@@ -272,8 +271,8 @@ def read_swings(
 ) -> CapturedSwings:
     """Read the deliveries of many C3D files of one session: same club, markers and calibration.
 
-    A file that cannot be used is listed with its reason and does not stop the others. Ctrl-C ends the reading and keeps
-    what was read until then.
+    Files that cannot be used are listed with the reason, and the others are still read. Ctrl-C stops the reading and
+    keeps the deliveries so far.
 
     Parameters
     ----------
@@ -282,7 +281,7 @@ def read_swings(
     mapping, club, **options
         As for :func:`read_swing`.
     progress
-        Called with the number of files done and the number of files.
+        Called with the number of files done and the total.
     """
     files = [os.fspath(path) for path in paths]
     setup = prepare(mapping, club, **options)
@@ -311,34 +310,34 @@ def _values(outcome: CapturedDelivery) -> dict[str, float]:
 
 
 SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}
-"""Differences [SI] beyond which two measurements are not of the same shot.
+"""Differences [SI] above which two measurements belong to different shots.
 
-Azimuth is not looked at: lines to the target may differ.
+Azimuth is excluded, since the target lines may differ.
 """
 ALONE = 0.25
-"""What a row without a partner costs: two of them as much as a pair that differs by 0.7 of what it may."""
+"""Cost of a row without a partner; two of them cost as much as a pair at 0.7 of the allowed difference."""
 
 
 def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
-    """Return shots with the deliveries of one table and the launches of another.
+    """Join two tables of the same shots: deliveries from one, launches from the other.
 
     Parameters
     ----------
     captured
-        The table whose deliveries are taken.
+        Table that provides the deliveries.
     measured
-        The table whose launches and names of clubs are taken. Both tables are in the order in which the shots were hit.
-        Quantities of the launch that it never measured, such as the azimuth, are taken from ``captured``, with a note.
+        Table that provides launches and club names. Both tables must be in the order of the shots. Launch quantities
+        missing here, such as the azimuth, are taken from ``captured``, with a note.
 
     Returns
     -------
     RecordedShots
-        The shots that both tables hold, with the rows of ``captured``. Rows without a partner are in ``rejected``.
+        The shots contained in both tables, with the rows of ``captured``. Rows without a partner are in ``rejected``.
 
     Raises
     ------
     InputError
-        No quantity tells which shots are the same and the tables differ in length, or no pair was found.
+        The tables have no common quantity to match shots and differ in length, or no pair was found.
     """
     for what, shots, values in (("captured", captured, captured.deliveries), ("measured", measured, measured.launches)):
         if not len(shots) or not values:
@@ -378,7 +377,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
 
 
 def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, Floats]:
-    """Return how much each shot of one table differs from each of the other, in parts of what is allowed."""
+    """Return the difference between every pair of shots, relative to the allowed difference, by quantity."""
     first, second = ({**each.deliveries, **each.launches} for each in (captured, measured))
     outcome = {}
     for name, allowed in SAME.items():
@@ -390,23 +389,23 @@ def _differences(captured: RecordedShots, measured: RecordedShots) -> dict[str, 
 
 
 def _costs(differences: dict[str, Floats]) -> Floats:
-    """Return what each pair costs, 0 to 1: the mean square of its differences, infinite where one is too large."""
+    """Return the cost of each pair, 0 to 1: the mean square of its differences; infinite if one is too large."""
     every = np.array(list(differences.values()))
     there = np.isfinite(every)
     squares = np.where(there, every, 0.0) ** 2
     count = there.sum(axis=0)
-    # A pair of which nothing can be compared is taken rather than left alone, and no other for it.
+    # A pair without common values is paired rather than left out, unless a better pair competes.
     costs = np.where(count > 0, squares.sum(axis=0) / np.maximum(count, 1), ALONE)
     return np.where((squares > 1.0).any(axis=0), np.inf, costs)
 
 
 def _aligned(costs: Floats) -> NDArray[np.int64]:
-    """Return the pairs, in order, whose costs and those of the rows left alone are least; shape (pairs, 2)."""
+    """Return the pairs, in order, that minimise the total cost including unpaired rows; shape (pairs, 2)."""
     rows, columns = costs.shape
     total = np.empty((rows + 1, columns + 1))
     total[0], total[:, 0] = ALONE * np.arange(columns + 1), ALONE * np.arange(rows + 1)
     for row in range(rows):
-        # A column left alone adds one to the place before: a running minimum, less the places passed.
+        # An unpaired column adds one cost per place: a running minimum after subtracting that cost.
         best = np.minimum(total[row, 1:] + ALONE, total[row, :-1] + costs[row])
         passed = ALONE * np.arange(columns + 1)
         total[row + 1] = np.minimum.accumulate(np.concatenate([[total[row + 1, 0]], best]) - passed) + passed
@@ -424,7 +423,7 @@ def _aligned(costs: Floats) -> NDArray[np.int64]:
 
 
 def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedShots) -> list[RejectedRow]:
-    """Return the rows of a table that gave no shot, or one that the other does not have."""
+    """Return the rejected rows of a table, and the rows that the other table does not have."""
     alone = np.setdiff1d(np.arange(len(shots)), paired)
     outcome = [*shots.rejected, *(RejectedRow(int(shots.rows[each]), f"not in {other.source}") for each in alone)]
     outcome.sort(key=lambda each: each.line or 0)
@@ -432,7 +431,7 @@ def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedSh
 
 
 def _turned(one: RecordedShots, other: RecordedShots) -> list[Note]:
-    """Return a note on the angle between the two target lines, where both saw the ball's direction."""
+    """Return a note on the angle between the target lines, if both tables have the ball's azimuth."""
     if not ("azimuth" in one.launches and "azimuth" in other.launches):
         return []
     difference = other.launches["azimuth"] - one.launches["azimuth"]

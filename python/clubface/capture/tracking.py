@@ -1,4 +1,4 @@
-"""The clubhead through a recording: its attitude and position in every frame; exchanged and stray markers are found."""
+"""Tracking of the clubhead through a recording: its pose in every frame, with swapped and stray markers corrected."""
 
 from __future__ import annotations
 
@@ -14,34 +14,34 @@ from clubface.capture.rotations import FEWEST, Array, Poses, degrees_of_freedom,
 from clubface.errors import FileError
 
 TIMES_USUAL = 6.0
-"""A frame fits badly beyond this many times the usual residual: beyond all Gaussian noise."""
+"""Residual, as a multiple of the usual one, above which a frame fits badly; outside any Gaussian noise."""
 LEAST_MISFIT = 1.5e-3
-"""Metres; a frame that fits so well is good whatever the others do."""
+"""Residual below which a frame always counts as good [m]."""
 WRONG_SHAPE = 4e-3
-"""Metres; the usual residual of a cluster that is not the one in the mapping."""
+"""Usual residual above which the cluster is not the one in the map [m]."""
 ENOUGH = 20
-"""Frames that show a marker's place on the head better than a calibration does."""
+"""Minimum number of frames in which the recording locates a marker on the head better than a calibration."""
 ALL_ORDERS = 5
-"""Markers up to which every order is tried, 120; beyond, exchanges of two and of three."""
+"""Maximum number of markers for which all permutations (120) are tried; for more, swaps of two and cycles of three."""
 
 
 class Track(NamedTuple):
-    """A clubhead in every frame.
+    """Poses of a clubhead in every frame.
 
     Attributes
     ----------
     shape
-        Markers in body axes [m], shape (markers, 3), as the recording itself shows them.
+        Marker positions in body axes as seen in this recording [m], shape (markers, 3).
     poses
-        Position of the body's origin, rotation and residuals.
+        Position of the body's origin, rotation, and residuals.
     seen
-        Which markers the pose of each frame was made of, shape (frames, markers).
+        Which markers were used for the pose of each frame, shape (frames, markers).
     exchanged
-        Frames in which labels were exchanged, by the markers exchanged.
+        Frames with swapped labels, by the markers swapped.
     stray
-        Frames in which a marker was left out, by its name.
+        Frames in which a marker was excluded, by its name.
     lost
-        Frames with enough markers, but which no order of them fits.
+        Frames with enough markers that no permutation fits.
     """
 
     shape: Array
@@ -57,18 +57,18 @@ class Track(NamedTuple):
         return np.isfinite(self.poses.position[:, 0])
 
     def noise(self, frames: NDArray[np.bool_]) -> tuple[float, int]:
-        """Return the standard deviation of a marker along an axis [m], from residuals, and its degrees of freedom."""
+        """Return the standard deviation of a marker along an axis [m] from residuals, and its degrees of freedom."""
         residuals = self.poses.residuals[frames]
-        # The shape was taken from the same frames: its three coordinates a marker, less the six of its own pose.
+        # The shape comes from the same frames: subtract three per marker, and add back six for its own pose.
         freedom = int(degrees_of_freedom(residuals).sum()) - 3 * int(visible(residuals).any(0).sum()) + 6
         return (float(np.sqrt(np.nansum(residuals**2) / freedom)) if freedom > 0 else float("nan")), freedom
 
     def step_correlation(self, frames: NDArray[np.bool_]) -> tuple[float, int]:
-        """Return the correlation of successive steps of the residuals from frame to frame, and how many entered.
+        """Return the correlation of successive frame-to-frame steps of the residuals, and the number of products.
 
-        It is -0.5 for white noise, also if that is added to a slow drift, such as the distortion of a camera. A
-        low-pass filter takes the fast part of the noise away: 0.3 is left by a Butterworth filter of second order, run
-        to and fro, with a cut-off at 0.56 of half the frame rate, 0.7 at 0.28 and 0.9 at 0.14.
+        It is -0.5 for white noise, even on top of slow drift, such as camera distortion. A low-pass filter removes the
+        fast part of the noise: a second-order Butterworth filter run forwards and backwards leaves 0.3 with a cut-off
+        at 0.56 of half the frame rate, 0.7 at 0.28 and 0.9 at 0.14.
         """
         residuals = np.where(frames[:, None, None], self.poses.residuals, np.nan)
         steps = np.diff(np.einsum("kij,kmi->kmj", self.poses.rotation, residuals), axis=0)
@@ -79,13 +79,12 @@ class Track(NamedTuple):
 
 
 def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Track:
-    """Fit the cluster in every frame, and correct what can be corrected.
+    """Fit the cluster in every frame, with corrections where possible.
 
-    A frame whose markers do not fit is tried with its labels in other orders, and then without one marker. A frame that
-    fits neither way has no attitude and position. The ``shape`` of the cluster in body axes [m] is (markers, 3), and
-    the markers ``observed`` in the laboratory have the shape (frames, markers, 3). It is a :class:`FileError` where
-    there are too few markers in every frame, the distances are in another unit, or the cluster is not that of the
-    mapping.
+    If the markers of a frame do not fit, permuted labels are tried, then leaving out one marker. A frame that still
+    does not fit has no pose. The cluster's ``shape`` in body axes [m] is (markers, 3), and the ``observed`` positions
+    in laboratory axes are (frames, markers, 3). Raises FileError if every frame has too few markers, the distances are
+    in another unit, or the cluster is not that of the map.
     """
     observed = observed.copy()
     check_seen(observed, names, path)
@@ -97,7 +96,7 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     wrong = usual > WRONG_SHAPE
     if wrong and int((misfit < LEAST_MISFIT).sum()) < ENOUGH:
         raise FileError(path, None, _diagnosis(shape, observed, names, usual))
-    # Labels that were exchanged from some frame on: the frames before it show what fits.
+    # If labels were swapped from some frame on, the earlier frames show what fits.
     limit = LEAST_MISFIT if wrong else max(TIMES_USUAL * usual, LEAST_MISFIT)
     exchanged: dict[tuple[str, ...], list[int]] = {}
     stray: dict[str, list[int]] = {}
@@ -122,10 +121,10 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
 
 
 def as_seen(shape: Array, poses: Poses) -> Array:
-    """Return the shape with the mean residual of each marker added, so that the residuals left are noise alone.
+    """Return the shape plus the mean residual of each marker, which leaves residuals of pure noise.
 
-    Where and how the shape sits in the body stays, for the residuals of a least-squares fit neither shift nor turn it.
-    A marker seen in fewer than ``ENOUGH`` frames keeps its place.
+    The shape neither shifts nor rotates in the body, because the residuals of a least-squares fit do neither. Markers
+    seen in fewer than ``ENOUGH`` frames keep their positions.
     """
     in_body = np.einsum("kij,kmi->kmj", poses.rotation, poses.residuals)
     seen = visible(in_body)
@@ -135,7 +134,7 @@ def as_seen(shape: Array, poses: Poses) -> Array:
 
 
 def check_seen(observed: Array, names: Iterable[str], path: str) -> None:
-    """Refuse a recording in which a pose is never possible."""
+    """Raise FileError if no frame allows a pose."""
     seen = visible(observed)
     if not (seen.sum(-1) >= FEWEST).any():
         counts = ", ".join(f"{name} in {count}" for name, count in zip(names, seen.sum(0).tolist(), strict=True))
@@ -145,7 +144,7 @@ def check_seen(observed: Array, names: Iterable[str], path: str) -> None:
 
 
 def check_scale(shape: Array, observed: Array, path: str) -> None:
-    """Refuse markers that are much nearer together or farther apart than they are on the club."""
+    """Raise FileError if markers are much closer together or farther apart than on the club."""
     pairs = list(combinations(range(len(shape)), 2))
     first, second = (list(each) for each in zip(*pairs, strict=True))
     with np.errstate(invalid="ignore"):
@@ -155,27 +154,27 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
         raise FileError(
             path, None,
             f"the markers of the clubhead are {np.format_float_positional(ratio, 3, fractional=False, trim='-')} times"
-            " as far apart as by the mapping or its calibration: a unit of length is wrong. --units sets that of all"
-            " files, the calibration included; if only one of them is wrong, export that file again in the right unit",
+            " as far apart as in the mapping or its calibration: a unit of length is wrong. --units sets that of all"
+            " files, including the calibration; if only one of them is wrong, export it again in the right unit",
         )  # fmt: skip
 
 
 def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[tuple[str, ...]]:
-    """Return the markers whose exchange moves none by ``smallest`` [m], so that it would not be noticed."""
+    """Return the sets of markers whose exchange displaces none by ``smallest`` [m], and so would go unnoticed."""
     orders = _orders(len(shape))[1:]
     misfit = _misfit(fit_poses(shape, shape[orders]))
     return [_exchanged(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
 
 
 def _misfit(poses: Poses) -> Array:
-    """Return the root mean square of each frame's residuals by its degrees of freedom [m]; NaN without a pose."""
+    """Return each frame's root mean square residual per degree of freedom [m]; NaN without a pose."""
     freedom = degrees_of_freedom(poses.residuals)
     known = np.isfinite(poses.position[:, 0])
     return np.where(known, np.sqrt(np.nansum(poses.residuals**2, axis=(-1, -2)) / np.maximum(freedom, 1)), np.nan)
 
 
 def _orders(count: int) -> NDArray[np.int64]:
-    """Return orders of markers to try, the given one first."""
+    """Return the permutations of markers to try, the original order first."""
     if count <= ALL_ORDERS:
         return np.array(list(permutations(range(count))))
     result = [list(range(count))]
@@ -190,18 +189,18 @@ def _orders(count: int) -> NDArray[np.int64]:
 
 
 def _order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
-    """Return the order of labels in which the markers of one frame fit best, or None if none fits."""
+    """Return the permutation in which the markers of one frame fit best, or None if none fits."""
     orders = _orders(len(shape))
     misfit = _misfit(fit_poses(shape, observed[orders]))
     if np.isnan(misfit).all():
         return None
     best = int(np.nanargmin(misfit))
-    # With three markers to fit, any triangle of nearly the same sides fits: four are needed to be sure.
+    # Three markers fit any triangle of nearly the same sides, so four are needed.
     return orders[best] if misfit[best] < limit and visible(observed).sum() > FEWEST else None
 
 
 def _odd_one(shape: Array, observed: Array, limit: float) -> int | None:
-    """Return the marker without which the others fit, or None if there is none."""
+    """Return the marker without which the others fit, or None."""
     without = np.repeat(observed[None], len(shape), axis=0)
     without[np.arange(len(shape)), np.arange(len(shape))] = np.nan
     misfit = np.where(visible(observed), _misfit(fit_poses(shape, without)), np.nan)
@@ -212,25 +211,25 @@ def _odd_one(shape: Array, observed: Array, limit: float) -> int | None:
 
 
 def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float) -> str:
-    """Say why a cluster does not fit at all."""
+    """Describe why a cluster does not fit at all."""
     left = units.fixed(usual, "mm", 1)
-    words = f"the markers of the clubhead do not fit the mapping: {left} are left over in the usual frame"
+    words = f"the markers of the clubhead do not fit the mapping; the residual is {left} in a typical frame"
     whole = np.flatnonzero(np.all(visible(observed), axis=-1))
     frames = whole[:: max(len(whole) // 15, 1)]
     if len(frames):
         if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
-            return f"{words}; their mirror image fits: the hand of the club is wrong, or an axis of the laboratory"
+            return f"{words}; their mirror image fits, so the hand of the club or an axis of the laboratory is wrong"
         orders = [_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
         exchanged = [None if order is None else _exchanged(order, names) for order in orders]
-        # Frames that fit as they are tell nothing of the others.
+        # Frames that fit without a swap say nothing about the others.
         wrong = [each for each in exchanged if each != ()]
         fitting = [each for each in wrong if each is not None]
         if len(fitting) > len(wrong) / 2:
             markers = " and ".join(max(set(fitting), key=fitting.count))
-            return f"{words}; they fit with {markers} exchanged: correct the mapping"
-    return f"{words}; is this the right club, and were the markers moved since it was calibrated?"
+            return f"{words}; they fit with {markers} exchanged, so correct the mapping"
+    return f"{words}; check that this is the right club, and that no marker moved since calibration"
 
 
 def _exchanged(order: NDArray[np.int64], names: Sequence[str]) -> tuple[str, ...]:
-    """Return which markers are exchanged."""
+    """Return the markers that are exchanged."""
     return tuple(names[place] for place, source in enumerate(order) if place != source)

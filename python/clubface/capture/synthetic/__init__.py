@@ -1,6 +1,6 @@
-"""Synthetic swings: a clubhead on an exactly known path, as cameras would record it.
+"""Synthetic swings: a clubhead on an exactly known path, recorded by simulated cameras.
 
-:func:`random_swing` makes one swing, :class:`Cameras` record it, and :func:`synthesize` writes a folder of swings.
+:func:`random_swing` makes a swing, :class:`Cameras` record it, and :func:`synthesize` writes a folder of swings.
 """
 
 from __future__ import annotations

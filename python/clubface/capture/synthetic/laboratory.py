@@ -1,8 +1,8 @@
-"""Recordings of synthetic swings as laboratories make them, complete or bare, and folders of their files.
+"""Simulated laboratory recordings of synthetic swings, complete or bare, and folders of their files.
 
-Cameras see markers in frames, with noise and gaps, in laboratory axes. Bare recordings show three markers on the head,
-no ball, and the address and the swing in one file, as most archives do. What nobody measures there is drawn at random,
-as widely as a reader has to assume it: how square the face is at address, how the shaft leans, where the markers sit.
+Cameras see markers frame by frame, with noise and gaps, in laboratory axes. Bare recordings have three markers on the
+head and no ball, with address and swing in one file, like most archives. Everything unmeasured is then drawn at random,
+as widely as a reader has to assume: face angle at address, shaft lean, marker positions.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CLUSTERS: Mapping[str, Mapping[str, Point]] = {
         "HEAD4": (-0.006, 0.075, -0.052), "HEAD5": (0.012, 0.048, -0.044),
     },
 }  # fmt: skip
-"""Markers on the crown and skirt of a wood, on back and hosel of an iron: from the face centre [m], club axes."""
+"""Markers on crown and skirt of a wood, or back and hosel of an iron: from the face centre [m], club axes."""
 FACE: Mapping[str, Mapping[str, FacePoint]] = {
     "wood": {
         "FACE_CENTRE": FacePoint(0.0, 0.0, 0.002), "FACE_TOE": FacePoint(0.03, 0.0, 0.002),
@@ -59,19 +59,19 @@ class Cameras:
     Attributes
     ----------
     rate
-        Frames a second [Hz].
+        Frames per second [Hz].
     noise
         Standard deviation of a marker along each axis [m]; white and independent.
     before, after
         Time recorded before and after impact [s].
     gaps
-        Fraction of the time during which a marker of the head is not seen, in gaps of a few frames.
+        Fraction of time for which a marker on the head is hidden, in gaps of a few frames.
     gap
-        Mean length of a gap, in frames.
+        Mean length of a gap [frames].
     target, up
-        Axes of the laboratory that point to the target and up.
+        Laboratory axes that point to the target and up.
     origin
-        Position of the world's origin in the laboratory [m], in the axes of the laboratory.
+        Position of the world's origin [m], in laboratory axes.
     calibration_frames
         Number of frames in which the head is held still with markers on its face.
     """
@@ -100,13 +100,13 @@ class Cameras:
                 raise InputError(name, getattr(self, name), allowed)
 
     def record(self, swing: SyntheticSwing, seed: int | np.random.Generator, *, path: str = "<synthetic>") -> Recording:
-        """Return the recording of a swing; impact falls at random between two frames."""
+        """Record a swing; impact falls at a random time between two frames."""
         return self.record_from(swing, seed, path=path)[0]
 
     def record_from(
         self, swing: SyntheticSwing, seed: int | np.random.Generator, *, path: str = "<synthetic>"
     ) -> tuple[Recording, float]:
-        """Return the recording of a swing, and the time of its first frame [s] if first touch is at zero."""
+        """Record a swing; return the recording and the time of its first frame [s], with first touch at zero."""
         random = np.random.default_rng(seed)
         first = -np.ceil(self.before * self.rate) - random.uniform()
         times = (first + np.arange(int((self.before + self.after) * self.rate) + 2)) / self.rate
@@ -118,7 +118,7 @@ class Cameras:
         return Recording(labels=(*cluster, BALL), positions=seen, rate=self.rate, path=path), float(times[0])
 
     def calibrate(self, club: Club, seed: int | np.random.Generator, *, path: str = "<calibration>") -> Recording:
-        """Return a recording of the head held still at address, with markers on its face."""
+        """Record the head held still at address, with markers on its face."""
         random = np.random.default_rng(seed)
         kind = kind_of(club)
         face = face_axes(club.loft)
@@ -134,13 +134,13 @@ class Cameras:
         return Recording(labels=labels, positions=self.measured(still, random), rate=self.rate, path=path)
 
     def measured(self, world: Array, random: np.random.Generator) -> Array:
-        """Return world positions as the laboratory measures them."""
+        """Return world positions as measured in the laboratory."""
         target, up = axis(self.target), axis(self.up)
         turn = np.stack([target, up, np.cross(target, up)])
         return world @ turn + np.array(self.origin) + self.noise * random.normal(size=world.shape)
 
     def _gaps(self, random: np.random.Generator, frames: int, markers: int) -> Array:
-        """Return which markers are hidden in which frames: gaps of random lengths at random places."""
+        """Return which markers are hidden in which frames, in random gaps."""
         starts = random.uniform(size=(frames, markers)) < self.gaps / self.gap
         lengths = random.geometric(1.0 / self.gap, size=(frames, markers))
         hidden = np.zeros((frames, markers), dtype=bool)
@@ -150,38 +150,38 @@ class Cameras:
 
 
 def kind_of(club: Club) -> str:
-    """Return "iron" or "wood", for clusters and points of the face."""
+    """Return "iron" or "wood", the keys of ``CLUSTERS`` and ``FACE``."""
     return "iron" if club.kind == "iron" else "wood"
 
 
 MARKERS: Mapping[str, tuple[str, ...]] = {"wood": ("HEAD1", "HEAD3", "HEAD4"), "iron": ("HEAD1", "HEAD2", "HEAD3")}
-"""Three of the usual markers that make a triangle of unequal sides."""
+"""Three of the markers that form a triangle with unequal sides."""
 REST, BACKSWING = 0.6, 0.9
-"""Seconds at address, and from there to where a synthetic swing begins, behind the player."""
+"""Time at address, and time from there to the start of the synthetic swing, behind the player [s]."""
 TOP = 0.8
-"""Metres; rise of that path over the straight line."""
+"""Rise of the backswing path above a straight line [m]."""
 GAP = (0.015, 0.005)
-"""Metres between face and ball at address, mean and standard deviation."""
+"""Mean and standard deviation of the gap between face and ball at address [m]."""
 SIDEWAYS = 0.008
-"""Metres; standard deviation of where on the face the ball is addressed."""
+"""Standard deviation of the ball's position along the face at address [m]."""
 FARTHEST = 2.0
-"""Standard deviations to which impact points are cut, so that every impact is on the face."""
+"""Standard deviations at which impact points are clipped, so that every impact is on the face."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BareSwing:
-    """One such recording and what its reader does not know.
+    """A bare recording, and the truth that its reader does not know.
 
     Attributes
     ----------
     recording
-        Three markers of the head, from address to follow-through.
+        Recording of three markers on the head, from address to follow-through.
     cluster
-        Where they sit: from the face centre [m], club axes.
+        Marker positions from the face centre [m], club axes.
     angles
-        Loft, face angle and lie at address [rad], as for a right-hander.
+        Loft, face angle and lie at address [rad], for a right-hander.
     first
-        Time of the first frame [s], if first touch is at zero.
+        Time of the first frame [s], with first touch at zero.
     """
 
     recording: Recording
@@ -197,18 +197,18 @@ def record_bare(
     *,
     assumed: Assumed | None = None,
 ) -> BareSwing:
-    """Record a swing with its address by three markers on the head.
+    """Record a swing including its address with three markers on the head.
 
     Parameters
     ----------
     swing
         The swing.
     cameras
-        Their rate, noise, axes and gaps.
+        Cameras, for their rate, noise, axes and gaps.
     seed
         The same seed gives the same recording.
     assumed
-        How widely what is not measured is drawn.
+        Distributions of the unmeasured quantities.
     """
     random, spread = np.random.default_rng(seed), assumed or Assumed()
     cluster = _cluster(swing.club, random, spread)
@@ -235,7 +235,7 @@ def record_bare(
 
 
 def asked_at_random(seed: int | np.random.Generator) -> dict[str, float]:
-    """Return face angle, lie and impact point of a swing, as widely scattered as a reader has to assume [SI]."""
+    """Draw face angle, lie and impact point of a swing [SI], as widely as a reader has to assume."""
     random, spread = np.random.default_rng(seed), Assumed()
     deviations = {
         "face": spread.delivered_face, "lie": spread.delivered_lie, "toe": spread.toe, "high": spread.high,
@@ -248,9 +248,9 @@ def asked_at_random(seed: int | np.random.Generator) -> dict[str, float]:
 def bare_map(
     club: Club, cameras: Cameras, by: str = "address", cluster: Mapping[str, Point] | None = None
 ) -> MarkerMap:
-    """Return the mapping, by "address" or "swing", with which such recordings of a club are read.
+    """Return the marker map, by "address" or "swing", for reading bare recordings of a club.
 
-    ``cluster`` are positions of the markers, where a reader has measured them.
+    ``cluster`` gives marker positions if the reader has measured them.
     """
     names = MARKERS[kind_of(club)]
     return MarkerMap(
@@ -262,7 +262,7 @@ def bare_map(
 
 
 def _cluster(club: Club, random: np.random.Generator, assumed: Assumed) -> dict[str, Point]:
-    """Return three markers about a place as far from the usual one as a reader has to allow for."""
+    """Return three markers about a mean position drawn from the reader's assumption."""
     kind = kind_of(club)
     names, usual = MARKERS[kind], [CLUSTERS[kind][name] for name in MARKERS[kind]]
     mean, spread = usual_place(club.kind, assumed)
@@ -273,7 +273,7 @@ def _cluster(club: Club, random: np.random.Generator, assumed: Assumed) -> dict[
 def _address(
     swing: SyntheticSwing, angles: Array, random: np.random.Generator, assumed: Assumed
 ) -> tuple[Array, Array]:
-    """Return CG and attitude of the head at rest behind the ball, as for a right-hander."""
+    """Return CG position and attitude of the head at rest behind the ball, for a right-hander."""
     club = swing.club
     attitude = delivered(angles[0], angles[1], angles[2], club.loft)
     height = 0.5 * club.face_height * np.cos(club.loft) + assumed.sole * random.normal()
@@ -284,12 +284,12 @@ def _address(
 
 MOST = 100_000
 BARE_RATE = 360.0
-"""Hz; rate of cameras that follow a whole golfer."""
+"""Frame rate of cameras that capture a whole golfer [Hz]."""
 MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 
 def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
-    """Return the mapping that gives the positions of the cluster."""
+    """Return the marker map that gives the cluster's positions."""
     return MarkerMap(
         cluster=dict(CLUSTERS[kind_of(club)]),
         accuracy=0.0,
@@ -301,7 +301,7 @@ def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
 
 
 def calibration_map(club: Club, cameras: Cameras) -> MarkerMap:
-    """Return the mapping that has the cluster placed by a calibration file."""
+    """Return the marker map that locates the cluster by a calibration file."""
     kind = kind_of(club)
     return MarkerMap(
         cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, accuracy=0.0,
@@ -320,31 +320,30 @@ def synthesize(
     seed: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Path]:
-    """Write ``count`` swings of one club and everything that is needed to read them.
+    """Write ``count`` swings of one club and everything needed to read them.
 
-    The files are ``swing-001.c3d`` and so on; ``calibration.c3d`` of the head with markers on its face;
-    ``markers.toml``; and ``truth.csv`` with the exact delivery of each swing and its launch, which ``read_shots``
-    reads.
+    The files are ``swing-001.c3d`` and so on; ``calibration.c3d``, with markers on the face; ``markers.toml``; and
+    ``truth.csv`` with the exact delivery and launch of each swing, for ``read_shots``.
 
     Parameters
     ----------
     folder
-        Made if it does not exist.
+        Folder, created if missing.
     count
         Number of swings.
     club, hand
-        The club, and the hand of the player.
+        The club, and the player's hand.
     cameras
-        The laboratory; 720 Hz and no noise if left out.
+        Cameras of the laboratory; default 720 Hz and no noise.
     seed
         The same seed gives the same files.
     progress
-        Called with the number of swings written and the number of swings.
+        Called with the number of swings written and the total.
 
     Returns
     -------
     list
-        The files, those of the swings first.
+        The files written, swings first.
     """
     check_swings(count, seed)
     seen, head = cameras or Cameras(), club_of_hand(club, hand)
@@ -365,10 +364,10 @@ def synthesize_bare(
     seed: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Path]:
-    """Write ``count`` swings as most archives hold them: three markers on the head, no ball, an address before.
+    """Write ``count`` bare swings, as in most archives: three markers on the head, no ball, an address at the start.
 
-    What a reader has to assume is drawn at random for every swing, as widely as :class:`Assumed` says. The parameters
-    and files are those of :func:`synthesize`, without a calibration; cameras have 360 Hz and no noise if left out.
+    Quantities that a reader has to assume are drawn at random for each swing, as widely as :class:`Assumed` says.
+    Parameters and files are those of :func:`synthesize`, without a calibration; cameras default to 360 Hz, no noise.
     """
     check_swings(count, seed)
     seen, head = cameras or Cameras(rate=BARE_RATE), club_of_hand(club, hand)
@@ -390,7 +389,7 @@ def _write_swings(
     seed: int,
     progress: Callable[[int, int], object] | None,
 ) -> list[Path]:
-    """Write recordings of random swings, and their truth; return the files of the recordings."""
+    """Write recordings of random swings and their truth; return the recordings' files."""
     swings, files = [], []
     for number in range(1, count + 1):
         swings.append(random_swing(np.random.default_rng([seed, number, 0]), club=head))
@@ -403,13 +402,13 @@ def _write_swings(
 
 
 def check_swings(count: object, seed: object) -> None:
-    """Refuse a number of swings, or a seed of theirs, that is no whole number within limits."""
+    """Raise InputError unless number of swings and seed are whole numbers within limits."""
     check_count("count", count, 1, MOST)
     check_count("seed", seed, 0, MOST_SEED)
 
 
 def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> RecordedShots:
-    """Return the exact deliveries of swings and the launches they were given, in one table."""
+    """Return the exact deliveries and launches of swings as one table."""
     count = len(swings)
     sides = ["left" if each.club.hand < 0 else "right" for each in swings]
     return RecordedShots(

@@ -1,9 +1,9 @@
-"""Synthetic swings whose delivery is known: a clubhead on its path, a ball at rest, the impact, and what follows.
+"""Synthetic swings with known deliveries: a clubhead on its path, a ball at rest, the impact, and the aftermath.
 
-The clubhead is the end of a chain of rigid links, in closed form, so that its velocities are known exactly. An arm and
-a club turn in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and vibrates.
-The angles are hyperbolic tangents and sines of time, and they enter through sines and cosines. No polynomial and no
-smoother has such a path in its family. Random swings are of the size of elite golfers' swings.
+The clubhead is the end of a chain of rigid links in closed form, so that its velocities are exact. An arm and a club
+rotate in an inclined plane about a moving hub, the club rolls about the shaft, and the shaft bends and vibrates. The
+angles are hyperbolic tangents and sines of time, and enter through sines and cosines, so the path is outside the family
+of any polynomial or smoother. Random swings resemble those of elite golfers.
 """
 
 from __future__ import annotations
@@ -26,23 +26,23 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.simulation.impact import impact
 
 STEP = 1e-25
-"""Seconds; of the derivative through the complex plane, which loses no digits however small the step."""
+"""Step of the complex-step derivative [s], which has no cancellation however small the step."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Turn:
-    """An angle that grows like a hyperbolic tangent, and a vibration on it; zero at time zero but for the vibration.
+    """An angle that rises like a hyperbolic tangent, plus a vibration; zero at time zero except for the vibration.
 
     Attributes
     ----------
     rate
-        Peak of the rate [rad/s].
+        Peak rate [rad/s].
     width
-        Time [s] from the peak in which the rate falls to 0.42 of it.
+        Time from the peak in which the rate falls to 0.42 of its peak [s].
     peak
-        When [s] the rate peaks.
+        Time of the peak rate [s].
     amplitude, frequency, phase
-        Of the vibration [rad, Hz, rad].
+        Amplitude, frequency and phase of the vibration [rad, Hz, rad].
     """
 
     rate: float
@@ -59,37 +59,37 @@ class Turn:
         return self.rate * self.width * grown + vibration
 
     def faster(self, factor: float) -> Turn:
-        """Return the same angle run through ``factor`` times as fast."""
+        """Return the same rotation, ``factor`` times as fast."""
         changed = {"rate": self.rate * factor, "frequency": self.frequency * factor}
         return replace(self, width=self.width / factor, peak=self.peak / factor, **changed)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Chain:
-    """Hub, arm, club and roll: the motion of a right-hander's clubhead before impact.
+    """Hub, arm, club and roll: motion of a right-hander's clubhead before impact.
 
     Attributes
     ----------
     plane
-        Inclination [rad] of the plane of the swing, from the horizontal.
+        Inclination of the swing plane from the horizontal [rad].
     arm, club
-        Angles in the plane, from straight down towards the target.
+        Angles in the plane, measured from straight down towards the target.
     roll
-        Angle about the shaft, closing the face.
+        Angle about the shaft that closes the face.
     arm_length, club_length
-        [m].
+        Lengths [m].
     arm_start
-        Angle [rad] of the arm at time zero.
+        Angle of the arm at time zero [rad].
     hub
-        Amplitudes [m] of the hub's sways, shape (3,), in world axes.
+        Amplitudes of the hub's sway [m], shape (3,), in world axes.
     hub_frequency, hub_phase
-        [Hz], [rad], shape (3,).
+        Frequencies [Hz] and phases [rad] of the sway, shape (3,).
     bend
-        Amplitudes [m] of the head's vibration on the shaft, shape (3,).
+        Amplitudes of the head's vibration on the shaft [m], shape (3,).
     bend_frequency, bend_phase
-        [Hz], [rad], shape (3,).
+        Frequencies [Hz] and phases [rad] of the vibration, shape (3,).
     cg
-        From the end of the shaft to the CG [m], turning with the head, shape (3,).
+        Vector from the end of the shaft to the CG [m], fixed to the head, shape (3,).
     """
 
     plane: float
@@ -108,9 +108,9 @@ class Chain:
     cg: Array
 
     def pose(self, time: Any) -> tuple[Any, Any]:
-        """Return position of the CG [m] and orientation at times [s]; shapes (..., 3) and (..., 3, 3).
+        """Return CG position [m] and orientation at times [s]; shapes (..., 3) and (..., 3, 3).
 
-        Works for complex times, which is how :func:`motion` differentiates it.
+        Times may be complex, for the derivatives in :func:`motion`.
         """
         time = np.asarray(time)
         sine, cosine = np.sin(self.plane), np.cos(self.plane)
@@ -125,14 +125,14 @@ class Chain:
         return link @ plane.T + sway + bend + rotation @ self.cg, rotation
 
     def faster(self, factor: float) -> Chain:
-        """Return the same path run through ``factor`` times as fast."""
+        """Return the same path, ``factor`` times as fast."""
         turns = {name: getattr(self, name).faster(factor) for name in ("arm", "club", "roll")}
         quick = {name: getattr(self, name) * factor for name in ("hub_frequency", "bend_frequency")}
         return replace(self, **turns, **quick)
 
 
 def turn(axis: int, angle: Any) -> Any:
-    """Return rotations about one axis, of angles that may be complex; shape (..., 3, 3)."""
+    """Return rotation matrices about one axis for angles that may be complex; shape (..., 3, 3)."""
     angle = np.asarray(angle)
     out = np.zeros((*angle.shape, 3, 3), dtype=angle.dtype)
     i, j = (axis + 1) % 3, (axis + 2) % 3
@@ -144,7 +144,7 @@ def turn(axis: int, angle: Any) -> Any:
 
 
 def motion(chain: Chain, time: float = 0.0) -> tuple[Array, Array, Array, Array]:
-    """Return position [m], orientation, velocity [m/s] and angular velocity [rad/s] of a chain at one time [s]."""
+    """Return position [m], orientation, velocity [m/s] and angular velocity [rad/s] of a chain at a time [s]."""
     position, rotation = chain.pose(np.asarray(time + 1j * STEP))
     rate = (rotation.imag / STEP) @ rotation.real.T
     spin = 0.5 * np.array([rate[2, 1] - rate[1, 2], rate[0, 2] - rate[2, 0], rate[1, 0] - rate[0, 1]])
@@ -156,39 +156,39 @@ def _sway(amplitude: Array, frequency: Array, phase: Array, time: Any) -> Any:
 
 
 CONTACT_TIME = 0.45e-3
-"""Seconds; measured impacts of golf balls last 0.4 to 0.5 ms at a driver's speed."""
+"""Duration of contact [s]; measured impacts of golf balls last 0.4 to 0.5 ms at driver speed."""
 RESTRAINT = 250.0
-"""1/s; the shaft turns a head back that impact has twisted: as at 40 Hz, critically damped. A shaft of a torque of 4
-degrees at 1 ft lb lets a driver's head swing at 31 Hz about it, and bends less than it twists."""
+"""Rate at which the shaft turns back a head twisted by impact [1/s], like critical damping at 40 Hz. With a torque
+rating of 4 degrees at 1 ft lb, a driver head oscillates about the shaft at 31 Hz; bending is stiffer than torsion."""
 TEE = 0.03
-"""Metres; height of a tee."""
+"""Tee height [m]."""
 LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SyntheticSwing:
-    """One swing. First touch is at time zero; the ball lies over the origin of the world.
+    """A synthetic swing. First touch is at time zero; the ball is above the world's origin.
 
     Attributes
     ----------
     club, ball
         The club and the ball.
     truth
-        The exact delivery by name [SI], with the signs of :class:`Delivery`.
+        Exact delivery by name [SI], with the signs of :class:`Delivery`.
     launch
-        The launch by the impact model [SI].
+        Launch from the impact model [SI].
     chain
-        The motion of a right-hander before impact, before it is turned into place.
+        Motion of a right-hander before impact, before it is rotated into place.
     fixed
-        Rotation from club axes to the axes of the chain's end, shape (3, 3).
+        Rotation from club axes to the axes at the end of the chain, shape (3, 3).
     turned, moved
-        From the world of the chain to this one: rotation, shape (3, 3), and shift [m].
+        Rotation, shape (3, 3), and translation [m] from the chain's world to this one.
     rest
-        Centre of the ball before impact [m], as for a right-hander.
+        Centre of the ball before impact [m], for a right-hander.
     slowed
-        Changes of the head's velocity [m/s] and angular velocity [rad/s] by the impact, as for a right-hander.
+        Changes of the head's velocity [m/s] and angular velocity [rad/s] at impact, for a right-hander.
     struck
-        Velocity of the ball after the impact [m/s], as for a right-hander.
+        Velocity of the ball after impact [m/s], for a right-hander.
     """
 
     club: Club
@@ -204,7 +204,7 @@ class SyntheticSwing:
     struck: Array
 
     def head(self, time: ArrayLike) -> tuple[Array, Array]:
-        """Return position of the CG [m] and attitude (club axes to world) at times [s], as for a right-hander."""
+        """Return CG position [m] and attitude (club to world axes) at times [s], for a right-hander."""
         time = np.asarray(time, dtype=np.float64)
         position, rotation = self.chain.pose(time)
         gained = _gained(time)[..., None]
@@ -213,44 +213,45 @@ class SyntheticSwing:
         return position @ self.turned.T + self.moved + gained * self.slowed[0], attitude
 
     def points(self, local: ArrayLike, time: ArrayLike) -> Array:
-        """Return the positions of points of the head in the world [m], shape (times, points, 3).
+        """Return the world positions of points on the head [m], shape (times, points, 3).
 
-        ``local`` are points from the face centre [m], in club axes at the static loft with z towards the toe, shape
-        (points, 3); ``time`` is from first touch [s], shape (times,).
+        ``local`` are positions from the face centre [m], in club axes at static loft with z towards the toe, shape
+        (points, 3); ``time`` counts from first touch [s], shape (times,).
         """
         position, attitude = self.head(time)
         from_cg = np.asarray(local, dtype=np.float64) + np.array(self.club.cg)
         return (position[:, None] + np.einsum("kij,mj->kmi", attitude, from_cg)) * self.mirror
 
     def ball_centre(self, time: ArrayLike) -> Array:
-        """Return the centre of the ball in the world [m] at times [s], shape (times, 3)."""
+        """Return the ball's centre in the world [m] at times [s], shape (times, 3)."""
         time = np.asarray(time, dtype=np.float64)
         fallen = 0.5 * GRAVITY * np.maximum(time, 0.0)[..., None] ** 2 * np.array([0.0, 1.0, 0.0])
         return (self.rest + _gained(time)[..., None] * self.struck - fallen) * self.mirror
 
     @property
     def mirror(self) -> Array:
-        """What takes the world of a right-hander to that of the club's hand, shape (3,)."""
+        """Factors from the right-hander's world to that of the club's hand, shape (3,)."""
         return mirror(self.club.hand)
 
 
 def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEFAULT_MODEL) -> SyntheticSwing:
-    """Place a chain so that it delivers ``club`` as ``asked``.
+    """Adapt a chain so that it delivers ``club`` with the requested values.
 
-    The chain runs faster or slower to meet the speed, and is turned as a whole to meet the direction. The head is set
-    on its end to meet the attitude, and the ball is placed where the face touches it first. The rates are those of the
-    chain.
+    The chain is run faster or slower to match the speed, and rotated as a whole to match the direction. The head is
+    mounted on its end to match the attitude, and the ball is placed at its first touch. The angular rates are the
+    chain's.
 
     Parameters
     ----------
     club
         The club.
     chain
-        The motion before impact.
+        Motion before impact.
     asked
-        ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high`` [SI], as for a right-hander.
+        Requested ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high`` [SI], for a
+        right-hander.
     model
-        The model of the impact, with its published parameters.
+        Impact model, with its published parameters.
     """
     chain = chain.faster(asked["speed"] / float(np.linalg.norm(motion(chain)[2])))
     position, rotation, velocity, spin = motion(chain)
@@ -259,7 +260,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
     turned = _between(velocity / np.linalg.norm(velocity), aim)
     attitude = delivered(asked["loft"], asked["face"], asked["lie"], club.loft)
     velocity, spin = turned @ velocity, turned @ spin
-    # As of a right-hander all through; the launch of a left-hander is its mirror image.
+    # All for a right-hander; the launch of a left-hander is its mirror image.
     as_right = {**asked, "closure": float(spin[1]), "pitch_rate": float(spin[2]), "lie_rate": float(-spin[0])}
     struck = ball()
     launched = impact(club.replace(hand="right"), as_right, ball=struck, model=model)
@@ -288,14 +289,14 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
 
 
 def _between(start: Array, end: Array) -> Array:
-    """Return the smallest rotation that takes one unit vector to another."""
+    """Return the smallest rotation from one unit vector to another."""
     axis = np.cross(start, end)
     sine = float(np.linalg.norm(axis))
     return exponential(axis * (math.atan2(sine, float(start @ end)) / sine)) if sine > 0.0 else np.eye(3)
 
 
 def _gained(time: Array) -> Array:
-    """Return how far [m] a body goes by an impact that gives it 1 m/s: a half sine of force over the contact."""
+    """Return the distance [m] moved by a body that impact accelerates by 1 m/s, for a half-sine force over contact."""
     part = np.clip(time / CONTACT_TIME, 0.0, 1.0)
     return 0.5 * CONTACT_TIME * (part - np.sin(np.pi * part) / np.pi) + np.maximum(time - CONTACT_TIME, 0.0)
 
@@ -310,12 +311,12 @@ DELIVERIES: Mapping[str, Mapping[str, tuple[float, float]]] = {
         "lie": (0.0, 1.5), "toe": (2.0, 6.0), "high": (0.0, 4.0),
     },
 }  # fmt: skip
-"""Mean and standard deviation of deliveries [m/s, deg, mm]: of the size of elite golfers' swings (those of Caldwell and
-McPhee (2023) hit drives at 101 to 118 mph). Chosen and not measured: no test of an estimator depends on them."""
+"""Mean and standard deviation of deliveries [m/s, deg, mm], typical of elite golfers (those of Caldwell and
+McPhee (2023) hit drives at 101 to 118 mph). They are chosen, not measured; no test of an estimator depends on them."""
 
 _TO_SI = {"speed": 1.0, "toe": 1e-3, "high": 1e-3}
 FARTHEST = 2.5
-"""Standard deviations to which draws are cut, so that every impact is on the face."""
+"""Standard deviations at which draws are clipped, so that every impact is on the face."""
 
 
 def random_swing(
@@ -326,7 +327,7 @@ def random_swing(
     model: str = DEFAULT_MODEL,
     **wanted: float,
 ) -> SyntheticSwing:
-    """Return a random swing of the size of an elite golfer's.
+    """Return a random swing typical of an elite golfer.
 
     Its face closes by 3 to 4 degrees a frame at 720 Hz, as Caldwell and McPhee (2023) report.
 
@@ -337,12 +338,12 @@ def random_swing(
     club
         The club.
     hand
-        "right" or "left"; that of the club if left out.
+        "right" or "left"; default: the club's.
     model
-        The model of the impact, with its published parameters.
+        Impact model, with its published parameters.
     **wanted
-        Values to use instead of random ones [SI]: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``,
-        ``toe``, ``high``; path and face as for a right-hander.
+        Values that replace random ones [SI]: ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``,
+        ``high``; path and face for a right-hander.
     """
     random = np.random.default_rng(seed)
     head = club_of_hand(club, hand)
@@ -355,13 +356,13 @@ def random_swing(
 
 
 def club_of_hand(club: str | Club, hand: str | None) -> Club:
-    """Return a club, as it is or for another hand."""
+    """Return a club, optionally with another hand."""
     head = club_of(club)
     return head if hand is None else head.replace(hand=hand)
 
 
 def random_chain(random: np.random.Generator, *, iron: bool) -> Chain:
-    """Return a chain with the lengths, rates and vibrations of a golfer."""
+    """Return a random chain with a golfer's lengths, rates and vibrations."""
 
     def between(low: float, high: float, size: int | None = None) -> Any:
         return random.uniform(low, high, size)
