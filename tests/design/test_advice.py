@@ -232,7 +232,7 @@ clubs = ["driver"]
 loft = ["-8 deg", "8 deg"]
 """
 GOLFERS = (pytest.param("tour-driver", marks=pytest.mark.study), "bogey-driver", "women-15-driver")
-SHOTS = 1024
+SHOTS = 512
 
 
 @pytest.fixture(scope="module")

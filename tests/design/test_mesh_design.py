@@ -214,12 +214,14 @@ def test_each_group_of_the_face_has_a_limit_by_its_metal(tmp_path):
 
 
 def test_an_interrupted_design_of_a_mesh_resumes_to_the_same_bytes(tmp_path):
-    asked = study(own_head(tmp_path), bounds={"thickness.face": (2.2e-3, 3.6e-3), "masses.weight": (0.0, 12e-3)})
+    asked = study(
+        own_head(tmp_path), bounds={"thickness.face": (2.2e-3, 3.6e-3), "masses.weight": (0.0, 12e-3)}, designs=4
+    )
     whole, target = tmp_path / "whole.toml", tmp_path / "head.toml"
     shells.improve(asked, output=whole, workers=1)
 
     def interrupt(done, _):
-        if done == 4:
+        if done == 3:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
