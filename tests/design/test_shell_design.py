@@ -177,7 +177,7 @@ def test_limits_that_no_head_keeps_are_told():
 
 
 def test_an_interrupted_study_resumes_to_the_same_bytes(tmp_path, monkeypatch):
-    asked = study(bounds={CENTRE: (2.4e-3, 4.2e-3), EDGE: (1.8e-3, 3.2e-3)}, designs=3)
+    asked = study(bounds={CENTRE: (2.4e-3, 4.2e-3), EDGE: (1.8e-3, 3.2e-3)}, designs=4)
     whole, target = tmp_path / "whole.toml", tmp_path / "head.toml"
     ran = []
     run = Engine._run
@@ -189,7 +189,7 @@ def test_an_interrupted_study_resumes_to_the_same_bytes(tmp_path, monkeypatch):
     undisturbed = len(ran)
 
     def interrupt(done, _):
-        if done == 2:
+        if done == 3:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
