@@ -172,7 +172,7 @@ def _leaves(kind: Value, given: Any, path: KeyPath, name: tuple[str, ...]) -> It
 def _kinds(kind: Table | Record, given: Mapping[str, Any]) -> Mapping[str, Value]:
     """Return the kinds of the keys of a table."""
     if isinstance(kind, PieceRecord):
-        return kind.kinds_of(given)
+        return kind.key_types(given)
     if isinstance(kind, Record):
         return dict.fromkeys(given, kind.values) if isinstance(kind.values, Value) else kind.keys()
     return {key: each.value for key, each in kind.keys().items()}
