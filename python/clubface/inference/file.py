@@ -1,4 +1,4 @@
-"""Inference for a file of launches, one row a shot, resumable."""
+"""Inference of deliveries for a file of launches, one row per shot; resumable."""
 
 from __future__ import annotations
 
@@ -36,47 +36,47 @@ from clubface.support.processes import processors
 
 REMARK = "remark"
 SAMPLES = 400
-"""Draws per shot of a file, resampled from at least twice as many effective ones. They give a mean to 4% of its
-standard deviation, and the ends of its interval to about 10%."""
+"""Draws per shot of a file, resampled from at least twice as many effective draws. They give the mean to 4% of the
+standard deviation, and the ends of the interval to about 10%."""
 
 
 class ShotRows:
     """The rows of a file of shots that have at least one launch quantity.
 
-    What they hold of the delivery is taken as measured, too. The options are those of :func:`clubface.infer`.
+    Delivery values in the rows count as measured. Options are those of :func:`clubface.infer`.
     """
 
     def __init__(self, shots: RecordedShots, **options: Any) -> None:
         self._shots = shots
         self.launch = [name for name in QUANTITIES if name in shots.launches]
-        """The launch quantities that were measured."""
+        """The measured launch quantities."""
         if not self.launch:
             raise InputError("shots", shots.source, f"shots with a measured launch: {', '.join(QUANTITIES)}")
         self.club = [name for name in OF_CLUB if np.isfinite(shots.deliveries.get(name, np.nan)).any()]
-        """The quantities of the delivery that were measured."""
+        """The measured delivery quantities."""
         delivery_noise = {**CLUB_NOISE, **standard_deviations(options.get("delivery_noise"), OF_CLUB, "delivery_noise")}
         self.club_noise = {name: float(delivery_noise[name]) for name in self.club}
         """Their standard deviations [SI]."""
         head = club(options.pop("club"))
         self.options = {"samples": SAMPLES, **options, "club": head, "prior": prior_of(options.get("prior"), head)}
-        """The options with which deliveries are inferred."""
+        """The options of the inference."""
         self._given = {"samples": SAMPLES, **options, "speed_at": shots.speed_at, "face_at": shots.face_at}
         self._head = head
         self._prepared: dict[int, Inference] = {}
         self.names = self.options["prior"].names
-        """The quantities that are inferred."""
+        """The inferred quantities."""
         self._for(head.hand)  # wrong options are reported before any work
 
     @property
     def headings(self) -> list[str]:
-        """The headings: measured launch quantities, four for each inferred quantity, and a remark."""
+        """The column headings: measured launch quantities, four for each inferred quantity, and a remark."""
         headings = ["row", *(_heading(name, QUANTITIES[name]) for name in self.launch)]
         for name in self.names:
             headings += [_heading(name, unit_of(name), end) for end in ("", "_std", "_from", "_to")]
         return [*headings, "effective", REMARK]
 
     def of(self, place: int) -> list[Any]:
-        """Return the cells of one shot; if it cannot be inferred, the last one says why."""
+        """Return the cells of one shot; the last one gives the reason if no delivery can be inferred."""
         shots = self._shots
         launch = {name: float(shots.launches[name][place]) for name in self.launch}
         cells: list[Any] = [int(shots.rows[place]), *(_cell(launch[name], QUANTITIES[name]) for name in self.launch)]
@@ -126,15 +126,15 @@ class InferReport(Described):
     output
         The file written.
     shots
-        Number of rows in it.
+        Number of rows in the file.
     resumed
-        Number of rows that an earlier run finished.
+        Number of rows finished by an earlier run.
     without
-        Number of rows without a delivery; their remark says why.
+        Number of rows without a delivery; the remark gives the reason.
     warned
         Number of rows with a delivery and a warning.
     used
-        The quantities of the delivery that were measured and counted, too.
+        The measured delivery quantities that were used as well.
     club_noise
         Their standard deviations [SI].
     """
@@ -170,27 +170,28 @@ def infer_shots(
 ) -> InferReport:
     """Infer the delivery of every shot, and write mean, standard deviation and 95% interval of each quantity as CSV.
 
-    The file has ``.part`` in its name until it is complete. After an interruption it holds the shots that are finished.
+    The file has ``.part`` in its name until it is complete. After an interruption it holds the finished shots.
 
     Parameters
     ----------
     shots
-        Recorded shots with at least one launch quantity. What they hold of the delivery counts as measured, too.
+        Recorded shots with at least one launch quantity. Their delivery values count as measured.
     output
         Path of a CSV file.
     resume
-        Whether to refuse to begin anew where a run with other settings was interrupted; that of the same ones goes on.
+        True raises FileError if an unfinished run has other settings; False starts it again. An unfinished run with the
+        same settings always continues.
     progress
-        Called with the number of shots done and the number of shots.
+        Function called with the number of shots done and the number of shots.
     **options
-        As for :func:`infer`; ``samples`` are 400 if left out.
+        As for :func:`infer`, with a default of 400 ``samples``.
 
     Raises
     ------
     FileError
-        The file cannot be written, or an unfinished one belongs to other settings.
+        The file cannot be written, or belongs to an unfinished run with other settings.
     KeyboardInterrupt
-        On Ctrl-C; the message says where the finished rows are.
+        On Ctrl-C; the message names the file with the finished rows.
     """
     target = Path(output)
     if target.suffix.lower() != ".csv":
@@ -224,7 +225,7 @@ def infer_shots(
 
 
 FEWEST_FOR_PROCESSES = 100
-"""Number of shots above which processes are worth their start of a few seconds."""
+"""Number of shots above which worker processes pay off their start-up time of a few seconds."""
 
 
 def _row(data: bytes, place: int) -> list[Any]:
@@ -239,5 +240,5 @@ def _rows(data: bytes) -> ShotRows:
 
 
 def _with_content(value: Any) -> Any:
-    """Return an option, with the content of the file if it is a file name."""
+    """Return an option, replaced by the content of the file if it is a file name."""
     return input_file(value).sha256 if is_path(value) else value

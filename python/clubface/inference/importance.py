@@ -1,23 +1,23 @@
-"""Importance sampling of a posterior: where it lies, draws from it, and their weights.
+"""Importance sampling of the posterior of one shot, in coordinates that bend with it.
 
-Samples of a posterior by tempered, adaptive importance sampling.
+**Tempered, adaptive importance sampling.**
 
-Draws of a first proposal are weighted by the ratio of the posterior to it. If enough of them stay effective, they are
-the sample. Otherwise the ratio is raised to a power, which is as high as the draws can bear. The mean and covariance of
-the weighted draws make the next proposal, a multivariate t distribution with heavier tails. Once the power is one,
-draws are collected until as many are effective as wanted. All draws of the last proposal are independent, so their
-effective number is known, which it is not for a Markov chain. Tempering follows Neal (2001), adaptation follows Cappé
+Draws from a first proposal are weighted by the ratio of posterior to proposal. If enough of them are effective, they
+are the sample. Otherwise the ratio is raised to the largest power that keeps enough draws effective, and the mean and
+covariance of the weighted draws define the next proposal, a multivariate t distribution with heavier tails. Once the
+power is one, draws are collected until enough are effective. All draws of the last proposal are independent, so that
+their effective number is known, unlike that of a Markov chain. Tempering follows Neal (2001), adaptation follows Cappé
 et al. (2004).
 
-Draws from the posterior of one shot: coordinates that bend with it, and importance sampling in them.
+**Coordinates that bend with the posterior.**
 
-Where a posterior lies: its most probable point, and coordinates in which it is nearly a standard normal one.
+The origin is its most probable point, and the posterior is nearly standard normal in them.
 
-Few numbers are measured, far more exactly than the prior knows them. The posterior is therefore a thin sheet that bends
-through the many dimensions of a delivery: thin along the directions that the measurement knows, broad along the others.
-A normal distribution fits it badly. Coordinates that bend with it fit well: those along the sheet are drawn first, and
-the others are measured from the place on the sheet next to them, in units of how thin the sheet is there. Two steps of
-Broyden's method find both. Whatever they find, the density of such draws is known exactly.
+Few numbers are measured, but far more precisely than the prior knows them. The posterior is therefore a thin curved
+sheet in the many dimensions of a delivery: thin in the directions determined by the measurement, broad in the others. A
+normal distribution fits it badly, but curved coordinates fit well: those along the sheet are drawn first, and the
+others are measured from the nearest point of the sheet in units of its thickness there. Two steps of Broyden's method
+find both. Whatever they find, the density of the draws is known exactly.
 """
 
 from __future__ import annotations
@@ -32,25 +32,26 @@ from numpy.typing import NDArray
 from clubface.support.arrays import Floats
 
 FEWEST_A_STAGE, MOST_A_STAGE = 1500, 4000
-"""Draws from which a proposal is made; between these, four times as many as are wanted."""
+"""Minimum and maximum number of draws per stage; in between, four times the sample size."""
 TARGET = 0.25
-"""Part of a stage's draws that must stay effective; it decides how far the power of the likelihood rises."""
+"""Fraction of a stage's draws that must be effective; it limits the power of the likelihood."""
 FREEDOM = 7.0
 """Degrees of freedom of the t proposals."""
 INFLATION = 1.15
-"""Factor by which their covariance exceeds that of the weighted draws."""
+"""Factor of the covariance of the t proposals over that of the weighted draws."""
 MOST_STAGES = 60
 REFINEMENTS = 3
-"""Proposals made at power one."""
+"""Number of proposals at power one."""
 LEAST_GAIN, STALLED, MOST_WHEN_STALLED = 0.01, 8, 16_000
-"""A stage in which the power gains less is followed by one of twice as many draws, up to these. After so many such
-stages it is left where it is: what was reached is wider than the posterior, so that its proposal will do."""
+"""A stage that raises the power by less than ``LEAST_GAIN`` is followed by one with twice as many draws, up to
+``MOST_WHEN_STALLED``. After ``STALLED`` such stages the power is left: the distribution reached is wider than the
+posterior, so that its proposal is usable."""
 MOST_DRAWS, MOST_DRAWS_A_POINT = 400_000, 100
-"""Draws after which a sample is given up to be as large as wanted, at most and for each point wanted."""
+"""Maximum number of draws for a sample, in total and per point wanted; the sample may then be too small."""
 HOPELESS_DRAWS, HOPELESS = 40_000, 5.0
-"""Draws after which a sample is given up that has no more effective ones than this."""
+"""After this number of draws, sampling stops if no more than this number of them are effective."""
 RIDGE = 1e-9
-"""Added to the variances, so that a sample without spread in a direction still has a proposal."""
+"""Added to the variances, so that a proposal exists even for a sample without spread in some direction."""
 
 
 class Sample(NamedTuple):
@@ -61,17 +62,17 @@ class Sample(NamedTuple):
     points
         The draws, shape (draws, dimensions).
     effective
-        Effective number of the weighted draws from which they were resampled.
+        Effective number of the weighted draws before resampling.
     draws
-        Number of weighted draws, of the last proposal alone.
+        Number of weighted draws from the last proposal.
     evaluations
-        Number of densities computed in all.
+        Total number of densities computed.
     stages
-        Number of proposals made.
+        Number of proposals.
     log_evidence
         Logarithm of the integral of the density.
     largest_weight
-        Largest fraction of the total weight that a single draw has. If it is near 1, the sample rests on one draw.
+        Largest share of the total weight on a single draw. If it is near 1, the sample consists of copies of one draw.
     """
 
     points: Floats
@@ -84,7 +85,7 @@ class Sample(NamedTuple):
 
 
 class Proposal(NamedTuple):
-    """A multivariate t, or with infinite freedom a normal distribution.
+    """A multivariate t distribution, or a normal distribution if ``freedom`` is infinite.
 
     ``root`` is the lower Cholesky factor of its scale matrix.
     """
@@ -118,7 +119,7 @@ def standard_normal(dimensions: int) -> Proposal:
 
 
 def standard_t(dimensions: int) -> Proposal:
-    """Return the t distribution about the origin that has the scale matrix 1."""
+    """Return the t distribution about the origin with the identity as scale matrix."""
     return Proposal(np.zeros(dimensions), np.eye(dimensions), FREEDOM)
 
 
@@ -135,21 +136,21 @@ def sample(
     Parameters
     ----------
     log_density
-        Computes the logarithm of its density, of any scale, at points of shape (n, dimensions); NaN or minus infinity
-        where a point is impossible.
+        Function that returns the log-density, up to a constant, at points of shape (n, dimensions); NaN or minus
+        infinity for impossible points.
     first
-        The first proposal: the prior, or what is known of the posterior.
+        The first proposal: the prior or an approximation of the posterior.
     size
-        How many points to return. Twice as many draws are made effective.
+        Number of points to return, resampled from twice as many effective draws.
     seed
         Seed of the random numbers.
     progress
-        Called before each stage with the power that is reached, 0 to 1.
+        Function called before each stage with the power reached, 0 to 1.
 
     Raises
     ------
     FloatingPointError
-        No draw of the first proposal is possible.
+        No draw from the first proposal is possible.
     """
     random, count = np.random.default_rng(seed), _a_stage(size)
     proposal = chosen = first
@@ -164,7 +165,7 @@ def sample(
         possible = np.isfinite(density)
         if not possible.any():
             raise FloatingPointError("no draw is possible")
-        # At any power: zero times minus infinity would be none.
+        # Impossible points have weight 0 at any power; 0 times minus infinity would be NaN.
         ratio, base = np.where(possible, density - start, 0.0), np.where(possible, start - own, -np.inf)
         before, power = power, _power(base, ratio, power)
         if power - before < LEAST_GAIN and power < 1.0:
@@ -186,9 +187,9 @@ def sample(
 
 
 def attempt(log_density: Callable[[Floats], Floats], proposal: Proposal, *, size: int, seed: int) -> Sample:
-    """Sample a posterior from one proposal, if it is good enough; otherwise return what one stage gives, of few draws.
+    """Sample a posterior from one proposal if it is good enough; otherwise return the small sample of one stage.
 
-    The arguments are those of :func:`sample`.
+    Arguments as for :func:`sample`.
     """
     random, count = np.random.default_rng(seed), _a_stage(size)
     points = proposal.draw(random, count)
@@ -216,7 +217,7 @@ def _collected(
     count: int,
     most: int,
 ) -> Sample:
-    """Draw from the last proposal until enough draws are effective, and resample them with those there are."""
+    """Draw from the last proposal until enough draws, given ones included, are effective; resample them."""
     most = min(most, max(MOST_DRAWS_A_POINT * size, HOPELESS_DRAWS))
     while True:
         reached = effective(normalised(all_logs)) if all_logs.size else 0.0
@@ -239,7 +240,7 @@ def _collected(
 
 
 def normalised(logs: Floats) -> Floats:
-    """Return weights that add up to 1 from their logarithms."""
+    """Return weights that sum to 1 from their logarithms."""
     weights = np.exp(logs - logs.max())
     return weights / weights.sum()
 
@@ -250,14 +251,14 @@ def effective(weights: Floats) -> float:
 
 
 def systematic(weights: Floats, size: int, random: np.random.Generator) -> NDArray[np.int64]:
-    """Return the places of ``size`` draws chosen by weight, in random order."""
+    """Return the indices of ``size`` draws chosen by weight (systematic resampling), in random order."""
     ticks = (random.random() + np.arange(size)) / size
     places = np.minimum(np.searchsorted(np.cumsum(weights), ticks), weights.size - 1)
     return random.permutation(places)
 
 
 def _power(base: Floats, ratio: Floats, reached: float) -> float:
-    """Return the largest power, from that ``reached`` to 1, at which enough draws are effective."""
+    """Return the largest power, from ``reached`` to 1, at which enough draws are effective."""
 
     def enough(power: float) -> bool:
         return effective(normalised(base + power * ratio)) >= TARGET * base.size
@@ -272,7 +273,7 @@ def _power(base: Floats, ratio: Floats, reached: float) -> float:
 
 
 def _fitted(points: Floats, weights: Floats) -> Proposal:
-    """Return the t proposal with mean and covariance of weighted draws, the latter inflated."""
+    """Return the t proposal with the mean and the inflated covariance of weighted draws."""
     mean = weights @ points
     centred = points - mean
     covariance = (centred * weights[:, None]).T @ centred + RIDGE * np.eye(mean.size)
@@ -282,20 +283,20 @@ def _fitted(points: Floats, weights: Floats) -> Proposal:
 
 MOST_STEPS, HALVINGS = 50, 12
 ENOUGH = 1e-3
-"""The search ends where minus twice the logarithm of the posterior falls by less."""
+"""The search ends when minus twice the log-posterior falls by less than this."""
 SHARP = 3.0
-"""A direction is known by the measurement where it tells more than the prior."""
+"""Singular value of the slopes above which the measurement rather than the prior determines a direction."""
 Residuals = Callable[[Floats], Floats]
-"""Seen less measured, in standard deviations of the measurement, at points (n, d): (n, m); NaN where impossible."""
+"""Function of points (n, d): computed minus measured values in standard deviations (n, m); NaN if impossible."""
 Slopes = Callable[[Floats], tuple[Floats, Floats]]
-"""The same at one point (d,), and its derivatives: (m,), (m, d)."""
+"""Function of one point (d,): the residuals (m,) and their derivatives (m, d)."""
 
 
 class Peak(NamedTuple):
-    """The most probable point, in standard deviations of the prior.
+    """The most probable point of a posterior, in standard deviations of the prior.
 
-    ``slopes`` are those of the residuals there, shape (m, d). The misfit, squares of point and residuals added up, is
-    chi-squared distributed with m degrees of freedom where the launch is linear and the prior is true.
+    ``slopes`` are the derivatives of the residuals there, shape (m, d). The ``misfit``, the sum of squares of point and
+    residuals, is chi-squared distributed with m degrees of freedom if the launch is linear and the prior is true.
     """
 
     point: Floats
@@ -304,7 +305,7 @@ class Peak(NamedTuple):
 
 
 def peak(residuals: Residuals, slopes: Slopes, start: Floats) -> Peak | None:
-    """Return the most probable point near a ``start`` by the Gauss-Newton method; None if it finds none."""
+    """Return the most probable point near ``start`` by the Gauss-Newton method, or None if it does not converge."""
     point, dimensions = start, start.size
     misfit = _misfit(residuals, point)
     if not np.isfinite(misfit):
@@ -334,7 +335,7 @@ def _misfit(residuals: Residuals, point: Floats) -> float:
 
 
 class Sheet:
-    """Coordinates that bend with a posterior, in which it is about standard normal, ``at`` its most probable point."""
+    """Curved coordinates in which a posterior is about standard normal, ``at`` its most probable point."""
 
     def __init__(self, at: Peak, residuals: Residuals) -> None:
         _, values, rows = np.linalg.svd(at.slopes, full_matrices=True)
@@ -349,9 +350,9 @@ class Sheet:
         self._gain = np.linalg.inv(np.eye(len(self._across)) + self._slopes.T @ self._slopes)
 
     def points(self, coordinates: Floats) -> tuple[Floats, Floats]:
-        """Return points in standard deviations of the prior, shape (n, d), and the logarithm of the volume there.
+        """Return points in standard deviations of the prior, shape (n, d), and the log-determinant of the mapping.
 
-        That is the volume which a unit of volume of the coordinates takes.
+        The determinant is the volume per unit volume of the coordinates.
         """
         along, across = np.split(coordinates, [len(self._along)], axis=1)
         base = (self._centre_along + self._wide * along) @ self._along
@@ -361,16 +362,16 @@ class Sheet:
         return base + sibling @ self._across, np.broadcast_to(volume, len(coordinates))
 
     def _next_places(self, base: Floats) -> tuple[Floats, list[list[Floats]]]:
-        """Return the places of the sheet next to ``base``, shape (n, sharp), and the factor of the curvature there.
+        """Return the points of the sheet nearest to ``base``, shape (n, sharp), and the factor of the curvature there.
 
-        The latter is that of minus the logarithm of the posterior, its lower factor by rows. Where the place at which a
-        step begins is impossible, nothing is known of the sheet, and that of the peak stands for it.
+        The curvature is that of minus the log-posterior, its lower Cholesky factor given by rows. Where the start of a
+        step is impossible, the sheet at the peak is used.
         """
         start = np.tile(self._centre_across, (len(base), 1))
         off = self._residuals(base + start @ self._across)
         step = -_possible((start + off @ self._slopes) @ self._gain)
         after = self._residuals(base + (start + step) @ self._across)
-        # Broyden's update: the slopes that fit what was seen along the step, S + missed step', and I + their square.
+        # Broyden's update of the slopes to match the step, S + missed step', and of the curvature, I + S' S.
         length = np.sum(step**2, axis=1)
         missed = _possible(after - off - step @ self._slopes.T) / np.where(length > 0.0, length, 1.0)[:, None]
         bent, along, square = (missed @ self._slopes).T, step.T, np.sum(missed**2, axis=1)
@@ -389,12 +390,12 @@ class Sheet:
 
 
 def _possible(values: Floats) -> Floats:
-    """Return rows with zeros for those that are not finite."""
+    """Return rows, with zeros in place of rows that are not finite."""
     return np.where(np.isfinite(values).all(axis=1, keepdims=True), values, 0.0)
 
 
 def _cholesky(matrix: list[list[Floats]]) -> list[list[Floats]]:
-    """Return the lower factors of many small matrices at once, which LAPACK would take one by one."""
+    """Return the lower Cholesky factors of many small matrices at once; LAPACK would take them one by one."""
     root: list[list[Floats]] = [[] for _ in matrix]
     for i, row in enumerate(root):
         for j in range(i):
@@ -421,7 +422,7 @@ def _solved_transposed(root: list[list[Floats]], right: Floats) -> Floats:
 
 
 MOST_CENTRES = 4
-"""Places from which a posterior is sampled without adaptation, before its proposals are adapted."""
+"""Maximum number of centres tried without adaptation, before the proposals are adapted."""
 
 
 def drawn(
@@ -433,11 +434,10 @@ def drawn(
     seed: int,
     progress: Callable[[float], object] | None,
 ) -> tuple[Sample, float]:
-    """Sample a posterior whose prior is standard normal, and return with it the misfit of its peak.
+    """Sample a posterior with a standard normal prior; return the sample and the misfit of the peak.
 
-    The peak of the ``residuals`` of the measurement may stand in a corner, off the bulk of the posterior. Then the
-    coordinates begin in the bulk. Without a peak, the draws begin with the prior, and the misfit is NaN. All else is as
-    of :func:`sample`.
+    The peak may lie in a corner away from the bulk of the posterior; the coordinates are then centred in the bulk.
+    Without a peak, the draws start from the prior, and the misfit is NaN. Other arguments are as for :func:`sample`.
     """
     before, after = standard_normal(dimensions), standard_t(dimensions)
 
@@ -470,7 +470,7 @@ def drawn(
 
 
 def _bulk(draws: Sample, slopes: Slopes) -> Peak | None:
-    """Return the mean of a sample as the place from which coordinates begin; None if nothing can be computed there."""
+    """Return the mean of a sample as the centre of coordinates, or None if it cannot be computed there."""
     middle = draws.points.mean(axis=0)
     off, table = slopes(middle)
     possible = np.isfinite(off).all() and np.isfinite(table).all()

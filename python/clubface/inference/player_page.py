@@ -1,9 +1,9 @@
-"""Sentences of a player's report: on each club what a fitter says to a customer, and the first page.
+"""Notes of a player's report: on each club what a fitter would tell a customer, and the first page.
 
-The first page says the gaps of the bag, what stands out, what to practise and buy, and how sure that is. It rests on
-what was measured alone. Carry and side count as measured where they follow from a whole measured launch. A part of the
-swing is worth practising by what its measured scatter, times the derivative of impact and flight, does to the shots. A
-club is worth buying where a gap in the bag or the loft of the longest club asks for it.
+The first page gives the gaps of the bag, what stands out, what to practise and buy, and how sure that is. It uses
+measured values only; carry and side count as measured if computed from a complete measured launch. Parts of the swing
+are ranked for practice by the spread they cause: measured scatter times the derivative of impact and flight. A club is
+recommended for a gap in the bag or for the loft of the longest club.
 """
 
 from __future__ import annotations
@@ -30,40 +30,40 @@ __all__ = [
 ]  # fmt: skip
 
 TYPICAL = ("speed", "ball_speed", "launch", "total_spin")
-"""Quantities of the typical shot, before carry and side."""
+"""Quantities of the typical shot, listed before carry and side."""
 CLUB_DATA = ("speed", "attack", "path", "face", "toe", "high")
-"""Club data that a report names where they were not measured."""
+"""Club data that a report lists as missing if they were not measured."""
 FEW, ENOUGH = 5, 10
-"""Shots below which a median says little (of four its 95% interval is two standard deviations either way), and from
-which the range of two in three is given."""
+"""Number of shots below which a median says little (with four, its 95% interval is two standard deviations either way),
+and number from which the range of two in three shots is given."""
 LEAST_ANGLE = to_si(0.3, "deg")
-"""Smallest angle between face and path, or effect of the closing, that is mentioned [rad]; assumed."""
+"""Minimum face-to-path angle, or effect of the closure rate, that is mentioned [rad]; assumed."""
 LEARNED = to_si(4.0, "mm")
-"""Standard deviation of an estimated strike, below which it says something: half of that of golfers of any skill."""
+"""Maximum standard deviation of an estimated strike that is reported: half the spread of golfers of any skill."""
 MOST_FINDINGS = 3
 MOST_PRACTISED = 3
-"""As many as a golfer keeps in mind; assumed."""
+"""Maximum number of things to practise, as many as a golfer keeps in mind; assumed."""
 NARROW = to_si(7.0, "yd")
-"""Gap below which two clubs do the work of one. Of the tour averages of 2019 and 2023 only a hybrid, or a wood in its
-place, is so near to the next club (3 to 5 yd); all others lie at least 8 yd apart."""
+"""Gap below which two clubs do the work of one. In the tour averages of 2019 and 2023 only a hybrid, or a wood in its
+place, is this close to the next club (3 to 5 yd); all others are at least 8 yd apart."""
 WIDE = 1.5
-"""Times the usual gap of the bag from which a gap is wide. From the root of two on a club in the middle makes two gaps
-that are, as ratios, nearer to the usual one; rounded up."""
+"""Ratio to the usual gap of the bag above which a gap is wide. Above the square root of two, a club in the middle makes
+two gaps whose ratios are closer to the usual one; rounded up."""
 LEAST_SIDE = to_si(5.0, "yd")
-"""Distance from the line that is worth a word. It adds 0.6 to 1.2 yd to the root mean square of the side of the shipped
-golfers, about what :data:`clubface.design.optimisation.advice.WORTH` has as worth a change."""
+"""Minimum distance from the target line that is mentioned. It adds 0.6 to 1.2 yd to the root mean square side of the
+built-in golfers, about what :data:`clubface.design.optimisation.advice.WORTH` counts as worth a change."""
 LEAST_STRIKE = to_si(5.0, "mm")
-"""Distance of the strike from the middle that is worth a word: the step of the what-if, and more than the 3 mm to which
-a monitor sees one strike. A drive at 94 mph loses up to 2 yd of carry by it, as much as is worth a change."""
+"""Minimum distance of the strike from the middle that is mentioned: the step of the what-if, and more than the accuracy
+of a monitor for one strike, 3 mm. It costs a 94 mph drive up to 2 yd of carry, enough to be worth a change."""
 LEAST_SHARE = 0.4
-"""Share of the spread from which a part of the swing is named as its cause. Without the part the side of the shipped
-golfers would spread by 8%, 0.8 to 1.8 yd, less, about as much as is worth a change."""
+"""Share of the spread above which a part of the swing is named as its cause. Without that part, the side of the
+built-in golfers would spread 8%, 0.8 to 1.8 yd, less, about as much as is worth a change."""
 FEWEST_GAPS = 2
-"""Gaps of a bag that give a usual one: of a single gap nothing can be said to be wide or narrow."""
+"""Minimum number of gaps of a bag; a single gap cannot be called wide or narrow."""
 
 
 def typical_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield the typical shot: what is measured at its start, and where it finishes."""
+    """Yield notes on the typical shot: its measured start, and where it finishes."""
     shots = len(club.shots) - int(club.mishit.sum())
     if figures := {name: club.measured[name].median for name in TYPICAL if name in club.measured}:
         yield note("player-typical-shot", shots=shots, figures=figures)
@@ -76,12 +76,12 @@ def typical_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def _how_spread(statistic: Statistic) -> str:
-    """Return the ending of the code by how many shots there are: a range, a standard deviation, or none of them."""
+    """Return the suffix of the note's code for the number of shots: a range, a standard deviation, or neither."""
     return "" if statistic.shots >= ENOUGH else "-few" if statistic.shots > 1 else "-alone"
 
 
 def mishit_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield a note on each mishit, with its place in the file and what is far off."""
+    """Yield a note on each mishit, with its row in the file and the values that are far off."""
     for place in dict.fromkeys(each.place for each in club.mishits):
         reasons = [each for each in club.mishits if each.place == place]
         yield note(
@@ -92,9 +92,9 @@ def mishit_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def line_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield where the ball starts and how far it curves, with face and path.
+    """Yield notes on start and curve of the ball, with face and path.
 
-    Without a carry and side there is no curve, and the tilt of the spin axis says to which side the ball bends.
+    Without carry and side the curve is unknown, and the tilt of the spin axis gives its direction.
     """
     start, axis = club.measured.get("azimuth"), club.measured.get("spin_axis")
     if start is None:
@@ -130,7 +130,7 @@ def line_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def strike_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield where the ball meets the face, measured, or estimated as far as the flight tells."""
+    """Yield notes on the impact point, measured, or estimated if the flight determines it."""
     toe, high = (club.measured.get(name) for name in ("toe", "high"))
     if toe is not None and high is not None:
         yield note("player-strike", toe=toe.median, high=high.median)
@@ -149,21 +149,21 @@ def strike_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def what_if_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield what a change does to the typical shot, all else the same."""
+    """Yield notes on the effect of single changes on the typical shot."""
     for each in club.changes:
         effects = {name: each.launch[name] for name in ("ball_speed", "launch", "backspin")} | {"carry": each.carry}
         yield note(f"player-change-{each.name}", **{f"step_{each.name}": each.step}, effects=effects, side=each.side)
 
 
 def doubt_notes(club: ClubStatistics) -> Iterator[Note]:
-    """Yield how sure the report is, and what limits it."""
+    """Yield notes on how sure the report is, and what limits it."""
     count = len(club.shots)
     carry = club.measured.get("carry")
     if carry is not None and carry.shots >= 2:
         yield note("player-carry-margin", shots=carry.shots, margin_carry=carry.margin)
     if count < FEW:
         yield note("player-few-shots", shots=count, more=FEW)
-    elif count < ENOUGH:  # the median of four times as many shots is twice as sure
+    elif count < ENOUGH:  # the median of four times as many shots is twice as certain
         yield note("player-more-shots", more=3 * count)
     inferred = club.inferred
     if inferred is not None and club.club is not None:
@@ -180,13 +180,13 @@ def doubt_notes(club: ClubStatistics) -> Iterator[Note]:
 
 
 def not_measured(clubs: Iterable[ClubStatistics]) -> list[str]:
-    """Return the labels of the club data that were measured of none of the clubs."""
+    """Return the labels of the club data that were measured for none of the clubs."""
     known = {name for each in clubs for name in each.measured}
     return [quantity(name).label for name in CLUB_DATA if name not in known]
 
 
 def change_note(name: str, first: Statistic, last: Statistic) -> Note:
-    """Return how a median changed, and how sure that is."""
+    """Return the note on the change of a median and how sure it is."""
     change, margin = last.median - first.median, difference_error(first, last)
     data: Mapping[str, Mapping[str, float]] = {"change": {name: change}, "margin": {name: margin}}
     is_sure = math.isfinite(margin) and abs(change) > margin
@@ -194,14 +194,14 @@ def change_note(name: str, first: Statistic, last: Statistic) -> Note:
 
 
 class _Finding(NamedTuple):
-    """A note and how much it matters [m]."""
+    """A note and its importance [m]."""
 
     weight: float
     note: Note
 
 
 LoftNotes = Callable[[ClubStatistics], Iterable[Note]]
-"""Returns what another loft of a club is worth."""
+"""Function that returns notes on the benefit of another loft for a club."""
 
 
 def page_parts(
@@ -209,8 +209,8 @@ def page_parts(
 ) -> tuple[Result, ...]:
     """Return the parts of the first page: findings, practice, clubs to buy, and how sure all of it is.
 
-    The ``bag`` has the clubs of one player with their gaps, the longest first. Without ``loft_notes``, which judges the
-    loft of the driver, lofts are not judged.
+    ``bag`` holds the clubs of one player with their gaps, longest first. ``loft_notes`` assesses the loft of the
+    driver; without it, lofts are not assessed.
     """
     findings = _findings(clubs, bag)
     heading = {1: "One finding", 2: "Two findings", MOST_FINDINGS: "Three findings"}.get(len(findings), "Findings")
@@ -231,7 +231,7 @@ def _findings(clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary]) -> li
     for each in (*_gap_findings(bag), *(one for club in clubs for one in _club_findings(club))):
         if each.note.code not in best or each.weight > best[each.note.code].weight:
             best[each.note.code] = each
-    if len(clubs) < 2:  # only one of several clubs can scatter most for its length
+    if len(clubs) < 2:  # with one club, no comparison of scatter between clubs is possible
         best.pop("player-finding-side-spread", None)
     ranked = sorted(best.values(), key=lambda each: -each.weight)
     return [each.note for each in ranked[:MOST_FINDINGS]]
@@ -258,22 +258,22 @@ class _Gap(NamedTuple):
 
     @property
     def is_wide(self) -> bool:
-        """Whether it is surely wider than usual in the bag."""
+        """Whether the gap is surely wider than usual in the bag."""
         return self.gap - self.margin > WIDE * self.usual
 
     @property
     def is_narrow(self) -> bool:
-        """Whether it is narrow, and surely narrower than a usual one."""
+        """Whether the gap is narrow, and surely narrower than usual."""
         return self.gap < NARROW and self.gap + self.margin < self.usual
 
     @property
     def data(self) -> dict[str, Any]:
-        """Clubs and gap as the data of a note."""
+        """Clubs and gap as data of a note."""
         return {"longer": self.longer.club, "shorter": self.shorter.club, "gap_carry": self.gap}
 
 
 def _gaps(bag: Sequence[ClubSummary]) -> list[_Gap]:
-    """Return the gaps between clubs with enough shots; none of a bag with too few of them for a usual one."""
+    """Return the gaps between clubs with enough shots, or none if there are too few for a usual gap."""
     gaps = [
         (longer, shorter, longer.gap.length, 2.0 * longer.gap.error)
         for longer, shorter in pairwise(bag)
@@ -286,7 +286,7 @@ def _gaps(bag: Sequence[ClubSummary]) -> list[_Gap]:
 
 
 def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
-    """Yield what stands out about one club; too few shots for a median give no finding."""
+    """Yield findings on one club; none if there are too few shots for a median."""
     carry, side = (club.measured.get(name) for name in ("carry", "side"))
     if side is not None and side.shots >= FEW:
         margin = side.margin
@@ -296,7 +296,7 @@ def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
             yield _Finding(abs(side.median), remark)
         if carry is not None:
             data = {"low_side": side.low, "high_side": side.high}
-            # To compare clubs of different lengths: the angle, times a carry of 200 yards.
+            # The angle times a carry of 200 yards, so that clubs of different lengths compare.
             weight = side.spread / carry.median * to_si(200.0, "yd")
             yield _Finding(weight, note("player-finding-side-spread", club=club.name, **data))
     if carry is not None and carry.shots >= FEW:
@@ -315,7 +315,7 @@ def _club_findings(club: ClubStatistics) -> Iterator[_Finding]:
 
 
 def _practice(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
-    """Yield the parts of the swing whose measured scatter spreads the shots, those that cost most first."""
+    """Yield notes on the parts of the swing whose measured scatter spreads the shots, most costly first."""
     causes = sorted((each for club in clubs for each in _causes(club)), key=lambda each: -each.weight)
     notes: list[Note] = []
     for each in causes:
@@ -333,7 +333,7 @@ def _has_club_data(clubs: Sequence[ClubStatistics]) -> bool:
 
 
 def _causes(club: ClubStatistics) -> Iterator[_Finding]:
-    """Yield what spreads the shots of a club, of what was measured, and how much it does [m]."""
+    """Yield the measured causes of the spread of a club's shots, each with its contribution [m]."""
     for direction in ("side", "carry"):
         whole = club.measured.get(direction)
         if whole is None or whole.shots < FEW:
@@ -360,7 +360,7 @@ def _mishit_data(club: ClubStatistics) -> dict[str, Any]:
 
 
 def _start_cause(club: ClubStatistics, side: Statistic) -> Iterator[_Finding]:
-    """Yield what the start direction does to the side, where no club data says more."""
+    """Yield the contribution of the start direction to the side, if no club data explain it."""
     start, carry = club.measured.get("azimuth"), club.measured.get("carry")
     if start is None or carry is None or start.shots < FEW:
         return
@@ -373,7 +373,7 @@ def _start_cause(club: ClubStatistics, side: Statistic) -> Iterator[_Finding]:
 def _purchases(
     clubs: Sequence[ClubStatistics], bag: Sequence[ClubSummary], loft_notes: LoftNotes | None
 ) -> Iterator[Note]:
-    """Yield which clubs the bag asks for, whether another loft of the driver is worth a change, and what is open."""
+    """Yield notes on clubs to buy, on the loft of the driver, and on what was not assessed."""
     gaps = _gaps(bag)
     wide, narrow = [each for each in gaps if each.is_wide], [each for each in gaps if each.is_narrow]
     for each in wide:
@@ -390,7 +390,7 @@ def _purchases(
 
 
 def _confidence(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
-    """Yield how sure the page is: margins of the carries, shots that are few, and what was computed or left out."""
+    """Yield notes on how sure the page is: margins of carries, few shots, computed or missing values."""
     carries = [each.measured["carry"] for each in clubs if "carry" in each.measured]
     repeated = [each for each in carries if each.shots > 1]
     margins = [each.margin for each in repeated]

@@ -1,4 +1,4 @@
-"""The report of a player's shots: a first page, then club by club, and how they changed from session to session."""
+"""The report of a player's shots: a first page, then each club, with changes from session to session."""
 
 from __future__ import annotations
 
@@ -47,29 +47,29 @@ from clubface.units import to_si
 __all__ = ["player_result"]
 
 SHOWN = ("speed", "ball_speed", "launch", "total_spin", "carry", "side", "azimuth", "face", "path", "attack")
-"""Quantities whose medians are shown from session to session."""
+"""Quantities whose medians are shown by session."""
 FIRST = ("speed", "attack", "path", "loft", "face", "toe", "high", "ball_speed", "launch", "azimuth", "total_spin",
          "carry", "side")  # fmt: skip
-"""Quantities with which the table of statistics begins."""
+"""Quantities at the top of the table of statistics."""
 CLUBLESS = "a club without a name"
 MOST_PICTURES = 40
-"""Pictures of clubs and bags that are drawn; each takes a fifth of a second and 150 kB."""
+"""Maximum number of pictures of clubs and bags; each takes a fifth of a second and 150 kB."""
 MOST_LOFTS = 8
-"""Players of a report whose drivers' lofts are judged; each takes some seconds."""
+"""Maximum number of players whose driver loft is assessed; each takes a few seconds."""
 MOST_ROWS = 10
-"""Shots of a club that a report shows; its data have all."""
+"""Maximum number of shots of a club shown in a report; the data files have all."""
 FEWEST_FOR_PROCESSES = 200
-"""Number of shots from which it pays to start processes: their deliveries take a few seconds."""
+"""Number of shots above which worker processes pay off: their deliveries take a few seconds."""
 RAYS = {"azimuth": "start of the ball", "face": "club face", "path": "club path"}
 LEAST_ANGLE = to_si(4.0, "deg")
-"""Smallest half width [rad] of the picture of directions."""
+"""Minimum half width of the picture of directions [rad]."""
 
 
 class _Scale(NamedTuple):
-    """The scale of the pictures of all clubs of a player, SI.
+    """The common scale of the pictures of a player's clubs, SI.
 
-    ``across`` and ``along`` are what the pictures of shots have to the side, with a half width, and upwards, with its
-    ends; ``widest`` is the half width of the pictures of directions [rad].
+    ``across`` and ``along`` are the horizontal quantity of the pictures of shots with its half width, and the vertical
+    one with its ends; ``widest`` is the half width of the pictures of directions [rad].
     """
 
     across: str
@@ -80,18 +80,18 @@ class _Scale(NamedTuple):
 
 
 def player_result(shots: RecordedShots, *, loft_notes: LoftNotes | None = None) -> Result:
-    """Return for a player, in plain language: what was measured, what it means, and how sure that is.
+    """Return the report for a player in plain language: what was measured, what it means, and how sure that is.
 
-    It begins with a page on the bag, whose parts are findings, practice, clubs to buy and how sure that is; the clubs
-    follow. Of several players, each is a part with a page of his own.
+    It starts with a page on the bag, with findings, practice, clubs to buy and how sure that is; the clubs follow. With
+    several players, each has a part with a page of their own.
 
     Parameters
     ----------
     shots
         The shots.
     loft_notes
-        Judges the loft of the driver for the first page, as :func:`clubface.design.loft_fit.player_loft_notes`
-        does; without it the page says nothing of lofts.
+        Assesses the loft of the driver for the first page, as :func:`clubface.design.loft_fit.player_loft_notes` does.
+        Default: lofts are not assessed.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def player_result(shots: RecordedShots, *, loft_notes: LoftNotes | None = None) 
 
 
 def statistics_by_club(shots: RecordedShots) -> list[ClubStatistics]:
-    """Return the statistics of each club of each player, the longest first; players are not averaged."""
+    """Return the statistics of each club of each player, longest club first; players are not averaged."""
     groups = [(each.player, each.club, shots.select(each.places)) for each in summarize_clubs(shots)]
     many = sum(min(len(each), MOST_INFERRED) for _, _, each in groups) >= FEWEST_FOR_PROCESSES
     run = in_processes if many and len(groups) > 1 and processors() > 1 else in_sequence
@@ -118,7 +118,7 @@ def _statistics(clubs: int, group: tuple[int, tuple[str, str, RecordedShots]]) -
 
 
 def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_notes: LoftNotes | None = None) -> Result:
-    """Return the report on shots, of which ``clubs`` holds the statistics club by club."""
+    """Return the report on shots from the statistics of their ``clubs``."""
     names = [f"{each.title} ({len(each.shots)})" for each in clubs]
     players = set() if shots.players is None else set(map(str, shots.players))
     sources = Path(shots.source).name if shots.files is None else ", ".join(map(str, dict.fromkeys(shots.files)))
@@ -162,7 +162,7 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_note
 
 
 def _drawn(clubs: Sequence[ClubStatistics]) -> set[int]:
-    """Return the identities of the clubs that are drawn: the first ones, with a picture of the bag of each player."""
+    """Return the identities of the clubs that are drawn: the first ones, leaving room for a picture per bag."""
     players: set[str] = set()
     drawn: set[int] = set()
     for each in clubs:
@@ -176,7 +176,7 @@ def _drawn(clubs: Sequence[ClubStatistics]) -> set[int]:
 def _player_parts(
     clubs: Sequence[ClubStatistics], flown: RecordedShots, drawn: set[int], loft_notes: LoftNotes | None
 ) -> Result:
-    """Return the page of one player and his clubs; ``flown`` are the shots of all players with their carries."""
+    """Return the page of one player and their clubs; ``flown`` are the shots of all players with their carries."""
     player = clubs[0].player
     theirs = flown if not player else flown.select(flown.players == player)
     bag = [replace(each, player="") for each in summarize_clubs(theirs)]
@@ -275,7 +275,7 @@ def _changes_table(club: ClubStatistics) -> Table:
 
 
 def sessions_result(club: ClubStatistics) -> Iterator[Result]:
-    """Yield the section on the sessions of a club; nothing where there is only one."""
+    """Yield the section on the sessions of a club, if there are several."""
     sessions = by_session(club)
     names = [name for name in SHOWN if sum(name in each for each in sessions.values()) > 1]
     if len(sessions) < 2 or not names:
@@ -319,7 +319,7 @@ def sessions_result(club: ClubStatistics) -> Iterator[Result]:
 
 
 def by_session(club: ClubStatistics) -> dict[str, dict[str, Statistic]]:
-    """Return the statistics of each session by quantity, in the order of the sessions; none where there is only one."""
+    """Return the statistics of each session by quantity, in session order; empty if there is only one."""
     labels = session_labels(club.shots)
     if labels is None:
         return {}
@@ -350,7 +350,7 @@ def _common_scale(clubs: Sequence[ClubStatistics]) -> _Scale:
 
 
 def _points(club: ClubStatistics, across: str, along: str) -> np.ndarray:
-    """Return the shots of a club as points, shape [2, shots]; of those that were measured."""
+    """Return the shots of a club with both values measured as points, shape [2, shots]."""
     flown = with_computed_carry(club.shots)
     columns, nothing = flown.deliveries | flown.launches, np.full(len(flown), math.nan)
     points = np.array([columns.get(name, nothing) for name in (across, along)])
@@ -358,7 +358,7 @@ def _points(club: ClubStatistics, across: str, along: str) -> np.ndarray:
 
 
 def club_picture(club: ClubStatistics, scale: _Scale) -> Picture:
-    """Return the picture of a club: where its shots finish or start, and face, path and start line from above."""
+    """Return the picture of a club: landings or starts of its shots, and face, path and start line from above."""
     caption = f"{club.title}: where the shots go, and face, path and start line"
     footnote = "grey crosses: mishits, not counted" if club.mishits else ""
     panels = [[_shots_panel(club, scale), _directions_panel(club, scale)]]
@@ -387,7 +387,7 @@ def _shots_panel(club: ClubStatistics, scale: _Scale) -> Panel:
 
 
 def _directions(club: ClubStatistics) -> tuple[dict[str, float], set[str]]:
-    """Return start line, face and path [rad], and which of them are estimated."""
+    """Return start line, face and path [rad], and the names of the estimated ones."""
     angles = {name: club.measured[name].median for name in RAYS if name in club.measured}
     estimated = set()
     if club.inferred is not None:
@@ -397,7 +397,7 @@ def _directions(club: ClubStatistics) -> tuple[dict[str, float], set[str]]:
 
 
 def _directions_panel(club: ClubStatistics, scale: _Scale) -> Panel:
-    """Return the directions as rays from the ball, seen from above, the target up."""
+    """Return the panel of the directions as rays from the ball, from above, with the target at the top."""
     angles, estimated = _directions(club)
     marks = [Mark("rule", x=0.0, style=-1)]
     for name, angle in angles.items():

@@ -1,4 +1,4 @@
-"""The figures of one club on which a report rests: medians and spreads, mishits, and what the models make of them."""
+"""Statistics of one club for a report: medians and spreads, mishits, and inferences of the models."""
 
 from __future__ import annotations
 
@@ -32,34 +32,34 @@ from clubface.support.checks import without_warnings
 __all__ = ["MOST_INFERRED", "ClubStatistics", "club_statistics", "with_computed_carry"]
 
 MOST_INFERRED, SAMPLES = 60, 200
-"""Shots of a club whose deliveries are inferred, spread evenly over all of them, and draws for each."""
+"""Maximum number of shots of a club with inferred deliveries, spread evenly over all, and draws for each."""
 IN_ALL, FEWEST_INFERRED = 1200, 4
-"""The most shots inferred in a whole report, and the fewest of a club where there are many clubs."""
+"""Maximum number of inferred shots in a report, and minimum per club if there are many clubs."""
 CHANGES = {
     "speed": "1 mph", "attack": "1 deg", "loft": "1 deg", "face": "1 deg", "path": "1 deg", "toe": "5 mm",
     "high": "5 mm",
 }  # fmt: skip
-"""Changes of the what-if, and their size."""
+"""Changes of the what-if and their sizes."""
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Inferred:
-    """Deliveries of a club inferred from its launches, those of mishits left out, SI.
+    """Deliveries of a club inferred from its launches, without mishits, SI.
 
     Attributes
     ----------
     mean
-        Mean over the shots of each quantity of the delivery.
+        Mean of each delivery quantity over the shots.
     doubt
-        Standard deviation of each quantity in a single shot; where it comes from the prior, more shots do not make it
-        smaller.
+        Standard deviation of each quantity for a single shot; more shots do not reduce the part that comes from the
+        prior.
     shots
         Number of shots.
     refused
-        Number of shots that no delivery can have made.
+        Number of shots that no delivery can produce.
     remarked
-        Rows of shots whose figures are inconsistent.
+        Rows of shots with inconsistent values.
     """
 
     mean: dict[str, float]
@@ -71,7 +71,7 @@ class Inferred:
 
 @dataclass(frozen=True, kw_only=True)
 class DeliveryEffect:
-    """Effect of a change of the delivery on the mean shot, SI: on the launch, and on carry and side."""
+    """Effect of a change of the delivery on launch, carry and side of the mean shot, SI."""
 
     name: str
     step: float
@@ -82,33 +82,33 @@ class DeliveryEffect:
 
 @dataclass(frozen=True, kw_only=True)
 class ClubStatistics:
-    """All figures of one club.
+    """All statistics of one club.
 
     Attributes
     ----------
     name
-        As the file calls it.
+        Name of the club in the file.
     player
-        The player, where the shots are of several players; "" otherwise.
+        The player if the shots are of several players, else "".
     club
-        The built-in club that stands for it; None if there is none.
+        The built-in club that represents it, or None.
     shots
         Its shots.
     measured
-        Figures by quantity, of launch, flight and delivery; with start direction, carry and side also of the curve.
+        Statistics by quantity of launch, flight and delivery; includes the curve if start direction, carry and side are
+        known.
     mishits
-        Its shots that are far off, each with the reason.
+        Outlying shots, each with the reason.
     computed
-        Whether carry and side are not measured but computed from the launch, in still air.
+        Whether carry and side were computed from the launch in still air instead of measured.
     inferred, changes
-        What the models infer from them; None and empty without a club or launch.
+        Inferred deliveries and effects of changes; None and empty without a club or launch.
     start
-        Degrees of start line for one degree of face and of path.
+        Change of the start line per change of face and of path [rad/rad].
     closing
-        Contribution of the closing of the face to start line [rad] and sidespin [rad/s], to the first order; empty
-        without changes.
+        First-order contribution of the closure rate to start line [rad] and sidespin [rad/s]; empty without changes.
     launch
-        The mean shot by the model, to which changes are added; None without them.
+        Launch of the mean shot by the model, to which changes are added; None without changes.
     """
 
     name: str
@@ -126,17 +126,17 @@ class ClubStatistics:
 
     @property
     def title(self) -> str:
-        """The club, after the name of its player where there are several."""
+        """The name of the club, preceded by its player if there are several."""
         return f"{self.player}: {self.name}" if self.player else self.name
 
     @property
     def mishit(self) -> NDArray[np.bool_]:
-        """Which of its shots are mishits."""
+        """Whether each shot is a mishit."""
         return is_mishit(self.mishits, len(self.shots))
 
     @property
     def shot_shape(self) -> str:
-        """The name of the typical shot, such as "pull hook"; "" where start direction, carry or side are missing."""
+        """The name of the typical shot, such as "pull hook", or "" if start direction, carry or side is missing."""
         if "curve" not in self.measured:
             return ""
         typical = (self.measured[name].median for name in ("azimuth", "curve", "carry"))
@@ -144,7 +144,7 @@ class ClubStatistics:
 
 
 def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStatistics:
-    """Return the figures of the shots of one club, which the file calls ``name``, in a report on so many clubs."""
+    """Return the statistics of the club called ``name`` in the file, for a report on ``clubs`` clubs."""
     kind = club_kind(name)
     hand = _hand(shots)
     head = _head(kind, hand) if kind in TOUR_CLUBS else None
@@ -172,33 +172,33 @@ def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStat
 
 
 def with_computed_carry(shots: RecordedShots) -> RecordedShots:
-    """Return the shots with carry and side computed from the launch, in still air; as they are where carry is there."""
+    """Return the shots with carry and side computed from the launch in still air, or unchanged if carry is known."""
     if "carry" in shots.launches or not all(each in shots.launches for each in LAUNCHED):
         return shots
     return replace(shots, launches=shots.launches | _flown({each: shots.launches[each] for each in LAUNCHED}))
 
 
 def _hand(shots: RecordedShots) -> str:
-    """Return the hand of the player; right where it is not known."""
+    """Return the hand of the player, right if unknown."""
     return "left" if shots.hand is not None and set(shots.hand) == {"left"} else "right"
 
 
 @cache
 def _head(kind: str, hand: str) -> Club:
-    """Return a built-in club, kept for the reports of many players."""
+    """Return a built-in club, cached for reports on many players."""
     head = club_named(kind)
     return head.replace(hand="left") if hand == "left" else head
 
 
 @cache
 def _inference(kind: str, hand: str, speed_at: str, face_at: str) -> Inference:
-    """Return the inference that all players with such a club share."""
+    """Return the inference shared by all players with this kind of club."""
     head = _head(kind, hand)
     return Inference(club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=speed_at, face_at=face_at)
 
 
 def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], prepared: Inference, most: int) -> Inferred | None:
-    """Return the deliveries of the ``chosen`` shots, of at most so many."""
+    """Return the inferred deliveries of at most ``most`` of the ``chosen`` shots."""
     places = chosen[np.unique(np.linspace(0, len(chosen) - 1, most).round().astype(int))]
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:
@@ -233,7 +233,7 @@ def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
 def _changes(
     head: Club, delivery: dict[str, float]
 ) -> tuple[Launch, tuple[DeliveryEffect, ...], dict[str, float], dict[str, float]]:
-    """Return the mean shot, what changes do to it by exact derivatives, those of the start line, and of the closing."""
+    """Return the mean shot, effects of changes by exact derivatives, start line slopes, and effect of closure."""
     with without_warnings(RangeWarning):
         table = sensitivity(
             head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=[*CHANGES, "closure"]

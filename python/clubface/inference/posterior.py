@@ -1,4 +1,4 @@
-"""Posteriors: a sample of the deliveries that can have made a launch, and what it shows."""
+"""Posteriors: a sample of the deliveries that could have produced a launch, with statistics and pictures."""
 
 from __future__ import annotations
 
@@ -34,51 +34,51 @@ if TYPE_CHECKING:
 __all__ = ["Posterior", "pairs_picture"]
 
 FEWEST_EFFECTIVE = 400
-"""Effective draws below which a sample should not be trusted."""
+"""Number of effective draws below which a sample should not be trusted."""
 SURPRISING = 0.001
-"""Probability under the prior below which a shot contradicts it."""
+"""Probability below which a shot contradicts the prior."""
 MOST_WEIGHT = 0.05
-"""Part of the weight on one draw from which a warning is given."""
+"""Share of the weight on one draw above which a warning is given."""
 CLOSE = 0.5
-"""Correlation from which two quantities are called tied."""
+"""Magnitude of the correlation above which two quantities are called tied."""
 NOT_LEARNED = 0.05
-"""Narrowing below which a launch says nothing about a quantity."""
+"""Narrowing below which a launch contains no information on a quantity."""
 MOST_QUANTITIES, MOST_POINTS, BINS = 7, 2000, 30
-"""Quantities and draws that a picture shows, and bars of a histogram."""
+"""Maximum number of quantities and draws in a picture, and number of bars of a histogram."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Posterior(Described):
-    """Deliveries that can have made a launch, equally probable, in SI units.
+    """Equally probable deliveries that could have produced a launch, in SI units.
 
     Attributes
     ----------
     deliveries
-        Values of each uncertain quantity, one for each draw.
+        Values of each uncertain quantity, one per draw.
     launch
         The measured launch.
     delivery
-        What was measured of the club and is part of the prior.
+        Measured club data among the quantities of the prior.
     known
-        What was measured of the club and is no part of the prior: it is taken as exact.
+        Measured club data not among the quantities of the prior, taken as exact.
     noise
-        Standard deviations of the measurement, of launch and delivery.
+        Standard deviations of the measured launch and delivery quantities.
     prior
-        What was believed about the delivery before the launch was known.
+        The prior distribution of deliveries.
     club, model, parameters
-        With what the launches were computed.
+        Club, model and parameters that the launches were computed with.
     sample
-        How the sample was drawn.
+        The sample with its size and diagnostics.
     surprise
-        Probability, under the prior, of a shot that lies further from the expected ones than this.
+        Probability under the prior of a shot that deviates more from the expected ones.
     expected
-        What the prior expects of each measured quantity that is far from it, in words.
+        Expected value in words of each measured quantity that is far from the prior.
     reproduced
-        Mean of each measured quantity over the draws, which are close to the measured ones if the model can make them.
+        Mean of each measured quantity over the draws, close to the measured value if the model can reproduce it.
     seed
         Seed of the random numbers.
     struck
-        The launch of the mean delivery.
+        Launch of the mean delivery.
     """
 
     deliveries: dict[str, Floats]
@@ -99,12 +99,12 @@ class Posterior(Described):
 
     @property
     def outside(self) -> str:
-        """What the mean delivery is outside of, in one line: the range of the model or of its parameters; or ""."""
+        """The warning in one line if the mean delivery is outside the range of model or parameters, else ""."""
         return Tally().add_all((self.struck,)).remark()
 
     @property
     def effective(self) -> float:
-        """Effective number of independent draws on which the sample rests."""
+        """Effective number of independent draws behind the sample."""
         return self.sample.effective
 
     @property
@@ -126,7 +126,7 @@ class Posterior(Described):
         return {name: float(values.std(ddof=1)) for name, values in self.deliveries.items()}
 
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the central interval that holds ``confidence`` of the draws of a quantity."""
+        """Return the central interval that contains the fraction ``confidence`` of the draws of a quantity."""
         check_choice("quantity of the delivery", name, self.deliveries)
         if not 0.0 < confidence < 1.0:
             raise InputError("confidence", confidence, "between 0 and 1")
@@ -135,7 +135,7 @@ class Posterior(Described):
 
     @property
     def learned(self) -> dict[str, float]:
-        """How much narrower each quantity is than its prior: one minus the ratio of standard deviations, 0 to 1."""
+        """Narrowing of each quantity from its prior: one minus the ratio of standard deviations, 0 to 1."""
         return {name: max(0.0, 1.0 - each / self.prior.deviation[name]) for name, each in self.deviation.items()}
 
     @property
@@ -145,7 +145,7 @@ class Posterior(Described):
 
     @property
     def not_learned(self) -> list[str]:
-        """The quantities that are as uncertain as before."""
+        """The quantities that are as uncertain as under the prior."""
         return [name for name, part in self.learned.items() if part < NOT_LEARNED]
 
     @property
@@ -177,7 +177,7 @@ class Posterior(Described):
 
     @property
     def ties(self) -> list[Note]:
-        """A note for each pair of quantities that are tied together, the closest first."""
+        """Notes on pairs of strongly correlated quantities, strongest first."""
         correlation, names, deviation = self.correlation, self.names, self.deviation
         pairs = [
             (abs(correlation[i, j]), i, j)
@@ -211,7 +211,7 @@ class Posterior(Described):
         )
 
     def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
-        """Return one row a draw, or the table called ``name``, SI."""
+        """Return a frame with one row per draw, or the table called ``name``, SI."""
         if name is not None:
             return self.to_result().to_pandas(name)
         import pandas
@@ -229,7 +229,7 @@ class Posterior(Described):
         return "\n".join(lines)
 
     def to_result(self) -> Result:
-        """Return mean, spread and interval of each quantity, what was measured, and what the launch leaves open."""
+        """Return mean, spread and interval of each quantity, the measured values, and what the launch leaves open."""
         sample = self.sample
         notes = [*self.warnings]
         if self.known:
@@ -317,7 +317,7 @@ class Posterior(Described):
 
 
 def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = None) -> Picture:
-    """Return every pair of quantities, the prior of each, and correlations; ``truth`` [SI] is marked if known."""
+    """Return the picture of all pairs of quantities with priors and correlations; ``truth`` [SI] is marked if given."""
     names = _drawn_quantities(posterior)
     known = truth or {}
     rows: list[list[Panel | None]] = []
@@ -326,7 +326,7 @@ def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = N
         for place, name in enumerate(names):
             across = axis(name, name.replace("_", " "))
             upwards = axis(below, below.replace("_", " "))
-            if place:  # the first panel of the row has the numbers and words
+            if place:  # the first panel of the row has tick numbers and labels
                 upwards = Axis(quantity(below)._replace(label=""), ticks=False)
             if place == row:
                 panels.append(_distribution(posterior, name, known))
@@ -348,7 +348,7 @@ def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = N
 
 
 def _drawn_quantities(posterior: Posterior) -> list[str]:
-    """Return the quantities that the launch narrows or ties to others; if they are too many, the narrowest ones."""
+    """Return the quantities that the launch narrows or ties to others; of too many, those narrowed most."""
     tied = np.abs(posterior.correlation - np.eye(len(posterior.names))).max(axis=0) >= CLOSE
     learned = posterior.learned
     names = [name for name, each in zip(posterior.names, tied, strict=True) if each or learned[name] >= NOT_LEARNED]
@@ -357,7 +357,7 @@ def _drawn_quantities(posterior: Posterior) -> list[str]:
 
 
 def _distribution(posterior: Posterior, name: str, truth: Mapping[str, float]) -> Panel:
-    """Return the panel of one quantity with what was believed before."""
+    """Return the panel of one quantity: posterior and prior distribution."""
     density, edges = np.histogram(posterior.deliveries[name], bins=BINS, density=True)
     mean, deviation = posterior.prior.mean[name], posterior.prior.deviation[name]
     margin = 0.05 * float(edges[-1] - edges[0])

@@ -1,8 +1,8 @@
-"""Priors: what is believed of a delivery, and what is expected to be measured.
+"""Priors of deliveries, and the measurements that they predict.
 
-What is believed of a delivery before its launch is known: means, spreads and correlations.
+A prior gives means, spreads and correlations of a delivery before its launch is known.
 
-A file may give any quantity of a delivery; one left out is taken as known, zero or the static loft::
+A file may give any quantity of a delivery; the others are taken as known, zero or the static loft::
 
     title = "Members of our club"
 
@@ -16,7 +16,7 @@ A file may give any quantity of a delivery; one left out is taken as known, zero
     of = ["loft", "attack"]
     value = 0.4
 
-What a prior expects to be measured: how surprising a shot is, and whether it is out of reach.
+The expectation of a prior tells how surprising a measured shot is, and whether it is out of reach.
 """
 
 from __future__ import annotations
@@ -42,18 +42,18 @@ from clubface.support.checks import check_choice, check_names
 from clubface.support.files import is_path
 
 NAMED = ("elite", "tour", "wide")
-"""The priors that come with the package."""
+"""The built-in priors."""
 WIDE = {
     "speed": "10 mph", "attack": "3.5 deg", "path": "4.5 deg", "loft": "4 deg", "face": "4 deg", "lie": "3 deg",
     "toe": "9 mm", "high": "7 mm", "closure": "600 deg/s", "pitch_rate": "400 deg/s", "lie_rate": "300 deg/s",
 }  # fmt: skip
-"""Standard deviations of the prior "wide"; assumed, about twice those of elite golfers, and four times in speed."""
+"""Standard deviations of the prior "wide" [SI]; assumed, about twice those of elite golfers, four times for speed."""
 MIRRORED = ("path", "face")
-"""The quantities whose sign a left-handed club changes."""
+"""Quantities that change sign for a left-handed club."""
 TOUR = "pga-2019"
-"""The averages of the prior "tour", the latest with which dynamic lofts are published."""
+"""Tour averages of the prior "tour", the latest published with dynamic lofts."""
 SLOWER = 0.87
-"""Mean speed of the prior "wide" relative to that of the tour; assumed."""
+"""Mean speed of the prior "wide" relative to the tour average; assumed."""
 
 
 _EXAMPLE = 'a mean and a standard deviation, as in ["1 deg", "2 deg"]'
@@ -61,7 +61,7 @@ _EXAMPLE = 'a mean and a standard deviation, as in ["1 deg", "2 deg"]'
 
 @dataclass(frozen=True, kw_only=True)
 class PriorFile:
-    """A file of a prior."""
+    """Schema of a prior file."""
 
     title: str = file_key(TEXT, "its name in reports")
     spread: Mapping[str, tuple[float, float]] = file_key(
@@ -80,7 +80,7 @@ class Prior:
     Attributes
     ----------
     name
-        Its name in reports.
+        Name in reports.
     mean, deviation
         Mean and standard deviation of each quantity.
     correlations
@@ -129,13 +129,13 @@ class Prior:
         return matrix
 
     def deliveries(self, standard: Floats) -> dict[str, Floats]:
-        """Return the deliveries that belong to standard normal deviates, shape (n, quantities)."""
+        """Return the deliveries for standard normal deviates, shape (n, quantities)."""
         root = np.linalg.cholesky(self._matrix())
         scaled = standard @ root.T
         return {name: self.mean[name] + self.deviation[name] * scaled[:, place] for place, name in enumerate(self.mean)}
 
     def for_hand(self, hand: float) -> Self:
-        """Return the prior for a club of the given hand, made from that for right-handers."""
+        """Return the prior for a club of the given hand, from this one for right-handers."""
         if hand > 0:
             return self
         return replace(self, mean={name: -each if name in MIRRORED else each for name, each in self.mean.items()})
@@ -155,9 +155,9 @@ class Prior:
 
 
 def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
-    """Return the prior that ``given`` names, or that in a file; if left out, "elite" where it exists, else "tour".
+    """Return the prior given by name, file or object. Default: "elite" if it exists for the club, else "tour".
 
-    A named prior is mirrored for a left-handed club; a prior of your own is taken as it is.
+    Built-in priors are mirrored for a left-handed club, others are used as they are.
     """
     if isinstance(given, Prior):
         return given
@@ -182,7 +182,7 @@ def _named(given: Any, head: Club) -> Prior:
 
 
 def elite(club_name: str) -> Prior:
-    """Return the deliveries of the benchmark shots: elite golfers, driver or 7-iron."""
+    """Return the prior from the benchmark shots of elite golfers, with driver or 7-iron."""
     from clubface.validation.benchmark_data import recipe
 
     golfers = recipe(club_name)
@@ -195,14 +195,14 @@ def elite(club_name: str) -> Prior:
 
 
 def tour(head: Club) -> Prior:
-    """Return the published tour averages of a built-in club, with the spreads of elite golfers.
+    """Return the prior with published tour averages of a built-in club and the spreads of elite golfers.
 
-    Speed and attack are those of 2019, with which dynamic lofts are published. For clubs without a published loft it is
-    the one with which the default model gives the published launch angle. All other means and the spreads are those of
-    the benchmark shots: of the driver for woods, and of the 7-iron for the other clubs.
+    Speed, attack and dynamic loft are those published for 2019. For clubs without a published loft, it is the loft for
+    which the default model gives the published launch angle. All other means and the spreads are those of the benchmark
+    shots: of the driver for woods, of the 7-iron for other clubs.
 
-    A club that is none of the tours' own but, by its name, of one of their kinds is delivered as that: with a dynamic
-    loft further by what its static loft is more.
+    A club that is not in the tour averages but of a similar kind by its name uses that club's averages, with the
+    dynamic loft increased by the difference of the static lofts.
     """
     name = _tour_club(head.name)
     if name is None or _is_without_averages(head.name):
@@ -211,7 +211,7 @@ def tour(head: Club) -> Prior:
 
 
 def _delivered_as(name: str, head: Club) -> Prior:
-    """Return the deliveries of the tours' club of this name, with the loft that the head has more."""
+    """Return the prior of a club of the tour averages, its loft shifted by the difference of static lofts."""
     from clubface.validation.tour import averages, published_lofts, solve_loft
 
     (average,) = (each for each in averages(TOUR) if each.club == name)
@@ -230,12 +230,12 @@ def _delivered_as(name: str, head: Club) -> Prior:
 
 
 WEDGE = "pitching-wedge"
-"""As this club the prior "wide" delivers wedges of more loft, of which no averages are published; assumed."""
+"""Club whose averages the prior "wide" uses for wedges of more loft, for which none are published; assumed."""
 _OTHERS = {None: "give a file", WEDGE: '"wide" or a file'}
 
 
 def _tour_club(name: str) -> str | None:
-    """Return the club of the tour averages that a club of this name is, or is delivered as; None if that is unknown."""
+    """Return the club of the tour averages to use for a club of this name, or None if there is none."""
     kind = name if name in TOUR_CLUBS else club_kind(name)
     family = (kind or "").rpartition("-")[2]
     club = WEDGE if family == "wedge" else "hybrid" if family == "hybrid" else kind
@@ -247,7 +247,7 @@ def _is_without_averages(name: str) -> bool:
 
 
 def wide(head: Club) -> Prior:
-    """Return deliveries of golfers of any skill: slower than the tour, with about twice the spreads."""
+    """Return the prior of golfers of any skill: slower than the tour, with about twice the spreads."""
     name = _tour_club(head.name)
     base = tour(head) if name is None else _delivered_as(name, head)
     return Prior(
@@ -259,20 +259,20 @@ def wide(head: Club) -> Prior:
 
 
 DRAWS = 4000
-"""Deliveries of the prior whose launches tell what it expects."""
+"""Number of deliveries drawn from a prior to compute its expectation."""
 FAR = 3.29
-"""Standard deviations beyond which one in a thousand of normally distributed values lies."""
+"""Number of standard deviations exceeded by one in a thousand normally distributed values."""
 
 
 class UnreachableLaunchError(InputError):
-    """A launch so far from those of the prior that no delivery can be inferred for it."""
+    """The launch is too far from those of the prior to infer a delivery."""
 
 
 class Expectation:
-    """What a prior expects of some quantities that are measured with normally distributed noise.
+    """Expected distribution of measured quantities under a prior, with normally distributed noise.
 
-    ``seen`` computes what is shown of points of a standard normal prior: (n, dimensions) to (n, quantities), NaN for
-    those that cannot be computed. ``scale`` has the standard deviations of the measurement [SI].
+    ``seen`` maps points of a standard normal prior, shape (n, dimensions), to measured quantities, shape (n,
+    quantities), NaN where they cannot be computed. ``scale`` holds the standard deviations of the measurement [SI].
     """
 
     def __init__(
@@ -292,22 +292,22 @@ class Expectation:
         self._distances = np.sort(np.sum(away * np.linalg.solve(self._covariance, away.T).T, axis=1))
 
     def surprise(self, measured: Floats) -> float:
-        """Return the probability of a shot that lies further from the expected mean than the one ``measured``.
+        """Return the probability of a shot that deviates more from the expected mean than ``measured``.
 
-        The distance is measured with the covariance of what is expected, noise included. For normally distributed
-        values it has a chi-squared distribution.
+        Uses the Mahalanobis distance with the expected covariance, noise included, whose square is chi-squared
+        distributed for normally distributed values.
         """
         away = measured - self.mean
         nearer = np.searchsorted(self._distances, float(away @ np.linalg.solve(self._covariance, away)))
         return float((1.0 + self._distances.size - nearer) / (1.0 + self._distances.size))
 
     def far(self, measured: Floats) -> list[str]:
-        """Return the quantities that are by themselves further from what is expected than one in a thousand."""
+        """Return the quantities that deviate from their expectation by more than one in a thousand would."""
         away = np.abs(measured - self.mean) > FAR * np.hypot(self.spread, self._scale)
         return [name for name, each in zip(self.names, away, strict=True) if each]
 
     def words(self, names: Sequence[str]) -> list[str]:
-        """Return what is expected of each of some quantities, with its spread."""
+        """Return expected value and spread of the given quantities in words."""
         places = [self.names.index(name) for name in names]
         return [
             f"{self.names[place]} {shown(self.names[place], float(self.mean[place]), 3)} +-"
@@ -317,19 +317,19 @@ class Expectation:
 
 
 def shown(name: str, value: float, digits: int) -> str:
-    """Write a value [SI] of a launch or delivery with its unit."""
+    """Format a value of a launch or delivery [SI] with its display unit."""
     return units.show(value, unit_of(name), digits)
 
 
 def unit_of(name: str) -> str:
-    """Return the unit a quantity of a launch or a delivery is read in."""
+    """Return the display unit of a quantity of a launch or a delivery."""
     if name in QUANTITIES:
         return QUANTITIES[name]
     return "mph" if name == "speed" else display_unit(name, units.SI_UNITS[OF_CLUB[name]])
 
 
 def unreachable(measured: Mapping[str, float], expected: Expectation, who: str) -> UnreachableLaunchError:
-    """Return the error for a shot that the prior ``who`` cannot reach."""
+    """Return the error for a shot out of reach of the prior described by ``who``."""
     given = ", ".join(f"{name} {shown(name, value, 4)}" for name, value in measured.items())
     advice = (
         f"within reach of {who} expects {', '.join(expected.words(expected.names))}: if units and club are right, give"

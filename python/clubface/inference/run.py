@@ -1,4 +1,4 @@
-"""From a launch back to the deliveries that can have made it."""
+"""Inference of the deliveries that could have produced a measured launch."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import MOST_SEED, check_count, check_names, without_warnings
 
 STEP = 1e-4
-"""Step of the derivatives of what other points of the head do, in standard deviations of the prior; they are smooth."""
+"""Step of numerical derivatives of club data at other points of the head, in standard deviations of the prior."""
 
 
 NOISE = {"ball_speed": 0.25, **MONITOR}
-"""Standard deviations of the measured launch [SI] by default: those that Caldwell and McPhee (2023) quote for their
-monitor, and 0.25 m/s of ball speed."""
+"""Default standard deviations of the measured launch [SI]: those that Caldwell and McPhee (2023) quote for their
+monitor, and 0.25 m/s for ball speed."""
 CLUB_NOISE = {
     name: units.parse(text, OF_CLUB[name])
     for name, text in {
@@ -51,14 +51,14 @@ CLUB_NOISE = {
         "toe": "3 mm", "high": "3 mm", "closure": "300 deg/s", "pitch_rate": "300 deg/s", "lie_rate": "300 deg/s",
     }.items()
 }  # fmt: skip
-"""Standard deviations of measured club data [SI] by default; assumed, those of a good monitor."""
+"""Default standard deviations of measured club data [SI]; assumed, as for a good monitor."""
 FEWEST_AT_ALL = 50
-"""Effective draws below which there is no usable sample: all weight lies on the few draws nearest to the launch."""
+"""Number of effective draws below which a sample is unusable: all weight is on the few draws nearest the launch."""
 FARTHEST = 15.0
-"""Standard deviations by which a shot misses the prior from where on it is refused: no normal distribution of
-deliveries means anything there, and the usual cause is another unit or club."""
+"""Deviation from the prior, in standard deviations, above which a shot is refused: a normal distribution has no meaning
+that far out, and the usual cause is a wrong unit or club."""
 RETRIED = 5
-"""How many times as many draws are tried where a sample becomes too small."""
+"""Factor on the number of draws for another try if a sample is too small."""
 _DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
 
 
@@ -79,43 +79,43 @@ def infer(
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Posterior:
-    """Sample the deliveries that can have made a launch.
+    """Sample the deliveries that could have produced a launch.
 
-    A launch has five numbers and a delivery has eleven, so many deliveries make the same launch. The result is
-    therefore a sample. Each delivery appears in it as often as it is probable under the prior and the noise of the
-    measurement.
+    A launch has five numbers and a delivery has eleven, so many deliveries produce the same launch. The result is
+    therefore a sample of deliveries, distributed as they are probable under the prior and the measurement noise.
 
     Parameters
     ----------
     launch
-        What was measured, as text with units or as SI numbers: some of ``ball_speed``, ``launch``, ``azimuth``,
-        ``backspin`` and ``sidespin``. Of the last two, ``total_spin`` and ``spin_axis``, any two give both.
+        Measured launch quantities, text with units or SI numbers: any of ``ball_speed``, ``launch``, ``azimuth``,
+        ``backspin`` and ``sidespin``. Backspin and sidespin may be replaced by any two of these two, ``total_spin`` and
+        ``spin_axis``.
     delivery
-        What was measured of the club, likewise: some of ``speed``, ``attack``, ``path``, ``loft``, ``face``, ...
+        Measured club data in the same form: any of ``speed``, ``attack``, ``path``, ``loft``, ``face``, ...
     club, model, parameters, ball, accuracy, threads
         As for :func:`impact`.
     prior
         "elite" (the golfers of the benchmark shots; driver and 7-iron), "tour" (the published averages), "wide"
-        (golfers of any skill), the path of a TOML file, or a :class:`Prior`. If left out: "elite" where it exists,
-        otherwise "tour".
+        (golfers of any skill), the path of a TOML file, or a :class:`Prior`. Default: "elite" if it exists for the
+        club, otherwise "tour".
     noise
-        Standard deviations of the measured quantities by name, as text with units or as SI numbers. They should include
-        the errors of the model. Those left out are the ones that Caldwell and McPhee (2023) quote for their monitor.
+        Standard deviations of the measured quantities by name, text with units or SI numbers. They should include the
+        errors of the model. Default: those that Caldwell and McPhee (2023) quote for their monitor.
     delivery_noise
-        The same for what was measured of the club. Those left out are assumed: 1.5 mph, 1 degree, 3 mm and 300 deg/s.
+        Standard deviations of measured club data. Default: assumed, 1.5 mph, 1 degree, 3 mm and 300 deg/s.
     samples
         Number of draws to return.
     seed
         Seed of the random numbers; the same seed gives the same sample.
     progress
-        Called with the completed fraction, 0 to 1.
+        Function called with the completed fraction, 0 to 1.
 
     Raises
     ------
     InputError
-        The launch has no known quantity, or an option is out of range.
+        No launch quantity is given, or an option is out of range.
     UnreachableLaunchError
-        No delivery anywhere near the prior makes the launch. The usual cause is a wrong unit or club.
+        No delivery near the prior produces the launch. The usual cause is a wrong unit or club.
     """
     prepared = Inference(
         club=club, model=model, parameters=parameters, ball=ball, prior=prior, noise=noise,
@@ -127,9 +127,9 @@ def infer(
 
 
 class Inference:
-    """What is common to the inference of many shots; its arguments are those of :func:`infer`.
+    """Inference for many shots with common settings; arguments as for :func:`infer`.
 
-    ``speed_at`` and ``face_at`` tell where club data was measured, see :class:`clubface.RecordedShots`.
+    ``speed_at`` and ``face_at`` are the points at which club data were measured, see :class:`clubface.RecordedShots`.
     """
 
     def __init__(
@@ -160,7 +160,7 @@ class Inference:
         self.prior = prior_of(prior, self.club)
         self.places = (speed_at, face_at)
         self.impacts = 0
-        """Impacts computed so far."""
+        """Number of impacts computed so far."""
         self._equipment, chosen = equipped(model, self.club, ball, self.parameters)
         self._columns_of_parameters = chosen.columns()
         self._accuracy, self._threads = tolerance(accuracy), thread_count(threads)
@@ -178,7 +178,7 @@ class Inference:
         *,
         progress: Callable[[float], object] | None = None,
     ) -> Posterior:
-        """Return the posterior of one shot, as :func:`infer` does, without warnings about ranges."""
+        """Return the posterior of one shot, as :func:`infer` does, but without range warnings."""
         measured, club_data = _measured(launch), _measured_club(delivery or {})
         known = {name: value for name, value in club_data.items() if name not in self.prior.names}
         club_data = {name: value for name, value in club_data.items() if name not in known}
@@ -200,7 +200,7 @@ class Inference:
         try:
             options: dict[str, Any] = {"seed": self._seed, "progress": progress}
             draws, misfit = drawn(residuals, slopes, len(self.prior.names), size=self._samples, **options)
-            if draws.effective < min(FEWEST_EFFECTIVE, self._samples):  # of few draws, proposals are made badly
+            if draws.effective < min(FEWEST_EFFECTIVE, self._samples):  # too few draws give poor proposals
                 again, _ = drawn(residuals, slopes, len(self.prior.names), size=RETRIED * self._samples, **options)
                 draws = again._replace(points=again.points[: self._samples])
         except FloatingPointError:
@@ -223,7 +223,7 @@ class Inference:
         )  # fmt: skip
 
     def struck(self, delivery: Mapping[str, float]) -> Any:
-        """Return the launch of one delivery, NaN where it cannot be computed, without a warning."""
+        """Return the launch of one delivery without warnings, NaN if it cannot be computed."""
         with without_warnings(RangeWarning):
             return impact(
                 self.club, delivery, model=self.model, parameters=self.parameters, ball=self._ball,
@@ -243,19 +243,19 @@ class Inference:
     def _expectation(
         self, seen: Callable[[Floats], Floats], names: tuple[str, ...], scale: Floats, known: Mapping[str, float]
     ) -> Expectation:
-        """Return what the prior expects of the quantities; it is computed once for shots with the same ones."""
+        """Return the expectation of the prior for the quantities, cached for shots with the same ones."""
         key = (names, tuple(known.items()))
         if key not in self._expected:
             if known:
-                self._expected.clear()  # of values that hardly come again
+                self._expected.clear()  # the known values rarely recur
             self._expected[key] = Expectation(seen, names, scale, len(self.prior.names), self._seed)
         return self._expected[key]
 
     def seen(self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]) -> Floats:
-        """Return what a monitor shows of deliveries, shape (n, quantities); NaN for those that cannot be computed.
+        """Return the values a monitor would show, shape (n, quantities); NaN for deliveries that cannot be computed.
 
-        The deliveries are ``standard`` normal deviates of the prior, shape (n, uncertain quantities), with ``known``
-        values that are no part of it. Quantities of the ``launch`` come first, then those of the ``club``.
+        Deliveries are given by ``standard`` normal deviates of the prior, shape (n, uncertain quantities), and
+        ``known`` values outside the prior. Quantities of the ``launch`` come first, then those of the ``club``.
         """
         self.impacts += len(standard)
         computed, _ = core.impact(
@@ -268,7 +268,7 @@ class Inference:
     def derivatives(
         self, standard: Floats, launch: Sequence[str], club: Sequence[str], known: Mapping[str, float]
     ) -> tuple[Floats, Floats]:
-        """Return what is shown of one delivery, shape (quantities,), and its derivatives by ``standard``, one a row."""
+        """Return the values for one delivery, shape (quantities,), and their derivatives by ``standard`` as rows."""
         places = [self._output[name] for name in launch]
         point = standard[None, :]
         values, slopes = np.empty((0,)), np.empty((0, standard.size))
@@ -306,7 +306,7 @@ class Inference:
 
 
 def _measured(launch: Mapping[str, ValueLike]) -> dict[str, float]:
-    """Return the measured quantities, SI, all that was measured of the spin as backspin and sidespin."""
+    """Return the measured launch quantities [SI], with the spin as backspin and sidespin."""
     if not isinstance(launch, Mapping):
         raise InputError("launch", launch, 'a mapping of what was measured, as in {"ball_speed": "160 mph"}')
     dimensions = {**_DIMENSIONS, **SPIN_DIMENSIONS}
@@ -324,7 +324,7 @@ def _measured(launch: Mapping[str, ValueLike]) -> dict[str, float]:
 
 
 def _parts(spins: dict[str, float]) -> dict[str, float]:
-    """Return backspin and sidespin by all that was measured of the spin."""
+    """Return backspin and sidespin from the measured spin values."""
     known = agreeing({name: np.array([value]) for name, value in spins.items()}).values
     if BACK not in known or SIDE not in known:
         name = TOTAL if TOTAL in spins else AXIS
@@ -334,7 +334,7 @@ def _parts(spins: dict[str, float]) -> dict[str, float]:
 
 
 def _measured_club(delivery: Mapping[str, ValueLike]) -> dict[str, float]:
-    """Return what was measured of the club, SI."""
+    """Return the measured club data [SI]."""
     if not isinstance(delivery, Mapping):
         raise InputError("delivery", delivery, 'a mapping of what was measured, as in {"speed": "110 mph"}')
     check_names("delivery value", delivery, OF_CLUB)

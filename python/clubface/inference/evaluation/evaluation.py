@@ -71,41 +71,39 @@ def evaluate(
     shots
         Recorded shots, or a file that :func:`clubface.shots.read` reads.
     club, only
-        The club with which the shots were hit, and the name of the club in a file that holds several; see
+        Club of the shots, and its name in a file with several clubs; see
         :func:`clubface.shots.measured.measured_shots`.
     mismatch
-        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
-        "note".
+        What to do if the names or dynamic lofts of the shots indicate another club: "refuse" or "note".
     models
-        A name, a list of names, or "all".
+        Name of a model, a list of names, or "all".
     parameters
-        A mapping from model names to what :func:`impact` takes as ``parameters``. If left out: the published sets.
+        Mapping of model names to the ``parameters`` of :func:`impact`. Default: the published sets.
     ball, accuracy, threads
         As for :func:`impact`.
     noise
-        Standard deviations of the measured launch quantities, by name. Those left out are the ones that Caldwell and
-        McPhee (2023) quote for their monitor (mean errors of 0.2 degrees and 50 rpm).
+        Standard deviations of the measured launch quantities, by name. Default: those that Caldwell and McPhee (2023)
+        quote for their monitor (mean errors of 0.2 degrees and 50 rpm).
     delivery_noise
-        Standard deviations of the measured delivery quantities, by name; they count for the least error that can be
-        reached.
+        Standard deviations of the measured delivery quantities, by name; they enter the noise floor.
     compared_at
-        "delivery", or "launch": every model then meets the measured launch angle and, if it was measured, the start
-        direction, for which it gets a dynamic loft and a face angle of its own; ball speed and spin are compared there.
-        Lofts that a monitor computed from the ball do not count then.
+        "delivery" or "launch". At "launch", dynamic loft and face angle are solved for each model so that it meets the
+        measured launch angle and, if measured, the start direction; ball speed and spin are compared there. Lofts that
+        a monitor computed from the ball are then not used.
     groups
-        One label for each shot of ``shots`` that says which shots belong together, such as the player. Resamples then
-        draw whole groups. If left out: the players, if the shots name several; otherwise every shot is its own.
+        One label per shot of ``shots``, such as the player, for shots that belong together; resamples draw whole
+        groups. Default: the players, if the shots name several; otherwise every shot is a group of its own.
     resamples
         Number of bootstrap resamples.
     seed
         Seed of the random numbers; the same seed gives the same report, apart from the times.
     progress
-        Called with the name of each model before it is computed.
+        Function called with the name of each model before it is computed.
 
     Raises
     ------
     InputError
-        There is no usable shot, the shots are of several clubs or of another club, a speed is missing, or a name is
+        There is no usable shot, the shots belong to several clubs or to another club, a speed is missing, or a name is
         unknown.
     """
     names = model_names(models)
@@ -125,7 +123,7 @@ def evaluate(
         advice = "give RecordedShots, to which groups can belong, one to each shot"
         raise InputError("groups", Wording("for a file"), advice)
     taken = measured_shots(source, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
-    # Only the players among the shots taken count: those of one player chosen from a file of several are no group.
+    # Only players among the shots used count: shots of a single player form no groups.
     labels = source.select(taken.places).groups() if groups is None else group_labels(groups, len(source))[taken.places]
     given = parameters or {}
     for name in given:
@@ -134,7 +132,7 @@ def evaluate(
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
     def predict(name: str, given: Mapping[str, Floats]) -> dict[str, Floats]:
-        """Return the launches of deliveries, or the launches at given launch angles and azimuths."""
+        """Return the launches of deliveries, or launches with the measured launch angles and azimuths."""
         delivery = {each: values for each, values in given.items() if each not in taken.start}
         start = {each: values for each, values in given.items() if each in taken.start}
         how: dict[str, Any] = {
@@ -177,7 +175,7 @@ def evaluate(
         delivery = {name: values[there] for name, values in taken.delivery.items()}
         lines[quantity] = trends(errors, delivery, drawn)
     standing = best[next(iter(best))].model
-    # What is met is measured with noise as well, and noise in what is solved for counts for nothing.
+    # Launch values that are met are noisy as well; noise in solved values has no effect.
     disturbed = disturbance | {name: monitor[name] for name in taken.start if name in monitor}
     least = error_floor(
         lambda delivery: predict(standing, delivery), {**taken.delivery, **taken.start}, monitor, disturbed, seed

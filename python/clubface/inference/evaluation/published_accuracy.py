@@ -1,8 +1,8 @@
 """Published accuracy of the models, and whether published parameters can achieve it.
 
-Every model was compared with the same measured launches. So on these shots the mean launches of two models differ by at
-most the sum of their mean absolute errors, whatever was measured. Where the published parameters of two models are
-further apart on such shots, at least one of the two sets, or of the published errors, is not what was computed with.
+All models were compared with the same measured launches. On these shots the mean launches of two models therefore
+differ by at most the sum of their mean absolute errors, whatever was measured. If two models with published parameters
+differ by more on such shots, at least one of the published sets or errors is not the one used for the publication.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ class PublishedAccuracy:
     model, club
         Names of the model and of the club.
     source
-        Where the figures are printed.
+        Where the numbers are printed.
     shots
         Number of shots measured.
     mean
-        Mean of each measured quantity. The publication does not say whether those of azimuth and sidespin are means of
-        magnitudes.
+        Mean of each measured quantity. The publication does not state whether the means of azimuth and sidespin are
+        means of magnitudes.
     mae
         Mean absolute error.
     std
-        Standard deviation of the error; empty if none was published.
+        Standard deviation of the error; empty if not published.
     mae_percent, std_percent
         The printed percentages of the mean; empty if there are none.
     cpu
@@ -53,7 +53,7 @@ class PublishedAccuracy:
     cost
         The printed value of the cost of equation 22; None if there is none.
     caveats
-        What is wrong with the printed figures.
+        Errors in the printed numbers.
     """
 
     model: str
@@ -72,7 +72,7 @@ class PublishedAccuracy:
     def is_least(self, quantity: str) -> bool:
         """Whether this is the smallest error of its table, printed in italics in Tables 2 to 5.
 
-        A figure of the thesis is in none of these tables.
+        Numbers of the thesis are in none of these tables.
         """
         table = [each for each in published().values() if (each.club, each.source) == (self.club, self.source)]
         in_paper = self.source.startswith("Table")
@@ -158,7 +158,7 @@ class Pair(NamedTuple):
     first, second
         Names of the models.
     difference
-        Mean of the first model less mean of the second, on the same shots.
+        Mean of the first model minus mean of the second, on the same shots.
     allowed
         The sum of their published mean absolute errors.
     """
@@ -179,8 +179,8 @@ class Pair(NamedTuple):
 def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> list[Pair]:
     """Compare all models with published errors, for each club and quantity.
 
-    The shots are the deliveries of the benchmark, as their motion capture shows them: those of the publication are not
-    public, and the mean launches are the same.
+    The shots are the deliveries of the benchmark from motion capture: those of the publication are not public, and the
+    mean launches agree.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ def pairs(parameters: Mapping[tuple[str, str], ParameterSet] | None = None) -> l
         means: dict[str, dict[str, float]] = {}
         for model in (name for name, of in accuracy if of == club):
             chosen = (parameters or {}).get((model, club)) or ParameterSet.builtin(model, club)
-            with without_warnings(RangeWarning):  # of their own shots, or of what stands for them
+            with without_warnings(RangeWarning):  # from their own shots or the substitutes for them
                 launch = impact(head, deliveries, model=model, parameters=chosen, ball=published_ball())
             means[model] = {name: float(launch.get(name).mean()) for name in QUANTITIES}
         for first, second in combinations(means, 2):

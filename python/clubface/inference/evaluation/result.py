@@ -51,27 +51,27 @@ class Evaluation(Described):
     parameters
         The parameters of each model, in the order in which the models were asked for.
     predicted
-        The launches that each model computes, by quantity.
+        Launches computed by each model, by quantity.
     sizes
         The size of the errors, by quantity and then by model.
     best
-        The best model of each quantity, and which others are as good.
+        The best model of each quantity, and the others that are as good.
     trends
         How the errors depend on the delivery, by quantity and then by model.
     floor
-        Mean absolute error that a perfect model would have with the noise assumed, where it is known.
+        Mean absolute error of a perfect model under the assumed noise, where it is known.
     monitor_noise, delivery_noise
         Standard deviations of the noise assumed.
     seconds
         Processor time of each model [s] for one shot.
     failed
-        Shots that a model could not compute, with the reason; they are left out.
+        Shots that a model could not compute, with the reason; they are excluded.
     resamples, seed
         Number of bootstrap resamples, and the seed of the random numbers.
     groups
-        Number of groups of shots that belong together, such as players, which are drawn whole; None if there are none.
+        Number of groups of shots, such as players, that are resampled as a whole; None if there are no groups.
     provenance
-        What the launches were computed from.
+        Provenance of the launches.
     """
 
     shots: MeasuredShots
@@ -160,7 +160,7 @@ class Evaluation(Described):
         Raises
         ------
         FileError
-            One of the files is that of the shots.
+            One of the files would overwrite the file of the shots.
         """
         refuse_input(folder, self.shots.source)
         result = self.to_result()

@@ -29,8 +29,8 @@ _CHUNK, _KEPT = 1_000_000, 8_000_000
 TO_MEAN_ABSOLUTE = math.sqrt(2.0 / math.pi)
 """Mean absolute value of a standard normal deviate."""
 MONITOR = {name: error / TO_MEAN_ABSOLUTE for name, error in monitor_errors().items()}
-"""Standard deviations [SI] of a monitor with the mean errors that Caldwell and McPhee (2023) quote for theirs, 0.2 deg
-and 50 rpm."""
+"""Default standard deviations of a monitor [SI], from the mean errors that Caldwell and McPhee (2023) quote for theirs,
+0.2 deg and 50 rpm."""
 DRAWS = 8
 """Number of perturbed copies per shot for estimating the effect of noise in the delivery."""
 _LAUNCH_DIMENSIONS = {name: units.unit(unit).dimension for name, unit in QUANTITIES.items()}
@@ -51,9 +51,9 @@ class ErrorSize(NamedTuple):
     shots
         Number of shots compared.
     bias
-        Mean of model minus measured values, with ``bias_interval``.
+        Mean of model minus measured values; its interval is ``bias_interval``.
     mae
-        Mean absolute error, with ``mae_interval``.
+        Mean absolute error; its interval is ``mae_interval``.
     std
         Standard deviation of the error (n - 1); NaN for a single shot.
     rms
@@ -73,7 +73,7 @@ class ErrorSize(NamedTuple):
 
 
 class Rival(NamedTuple):
-    """A model compared with the one that has the least mean absolute error.
+    """A model compared with the one with the smallest mean absolute error.
 
     Attributes
     ----------
@@ -82,9 +82,9 @@ class Rival(NamedTuple):
     difference
         Its mean absolute error minus that of the best model, with its interval.
     p
-        Two-sided probability that resampled shots favour the other model as clearly, corrected for the number of rivals
-        after Holm. Before the correction it is never below the least value that changes of sign of as many shots can
-        give.
+        Two-sided p-value that resampled shots favour the other model as clearly, with Holm's correction for the number
+        of rivals. Before the correction it is bounded below by the smallest p-value of a sign-flip test with as many
+        shots.
     """
 
     model: str
@@ -104,9 +104,9 @@ class Best(NamedTuple):
     Attributes
     ----------
     model
-        The model with the least mean absolute error.
+        The model with the smallest mean absolute error.
     rivals
-        The other models, the nearest first.
+        The other models, closest first.
     """
 
     model: str
@@ -121,8 +121,8 @@ class Best(NamedTuple):
 class Resamples:
     """Bootstrap resamples of shots, or of groups of shots, such as the shots of one player.
 
-    Means over a resample are weighted means over the shots, so that every model and quantity sees the same resamples;
-    the same seed gives the same ones. Without ``groups``, one for each shot, every shot is its own.
+    Means over a resample are weighted means over the shots, so that all models and quantities share the same resamples;
+    the same seed gives the same ones. ``groups`` has one label per shot; without it, every shot is a group.
     """
 
     def __init__(
@@ -134,7 +134,7 @@ class Resamples:
         self._weights: Floats | None = None
         self._group = np.arange(shots)
         self.groups = shots
-        """How many are drawn."""
+        """Number of groups drawn."""
         if groups is not None:
             names, self._group = np.unique(np.asarray(groups), return_inverse=True)
             self.groups = len(names)
@@ -171,9 +171,9 @@ def group_labels(groups: Any, shots: int) -> NDArray[Any]:
 def interval(resampled: Floats, groups: int) -> Interval:
     """Return the percentile interval of means resampled from ``groups`` groups; NaN for fewer than two.
 
-    The ends are moved outwards by as much as Student's t distribution is wider than the normal distribution, because
-    plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap,
-    The American Statistician 69 (2015) 371-386.
+    The interval is widened by the ratio of Student's t to the normal distribution, because plain percentiles are too
+    narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap, The American Statistician 69
+    (2015) 371-386.
     """
     if groups < 2:
         return Interval(math.nan, math.nan)
@@ -200,10 +200,10 @@ def _students_t(z: float, degrees: int) -> float:
 def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dict[str, ErrorSize], Best]:
     """Return the error sizes of each model in one quantity, and the best model by paired bootstrap.
 
-    ``errors`` are model less measured by the name of the model, of the same shots in the order of the ``resamples``.
+    ``errors`` are model minus measured values by model name, for the same shots in the order of the ``resamples``.
     """
     names, table = list(errors), np.stack(list(errors.values()))
-    # Shots that are copies of each other, errors and all, tell no more than one of them.
+    # Exact copies of a shot carry no further information.
     different = min(resamples.groups, len(np.unique(table, axis=1).T))
     means = resamples.means(np.concatenate([table, np.abs(table)]))
     signed, absolute = means[:, : len(names)], means[:, len(names) :]
@@ -227,16 +227,16 @@ def error_sizes(errors: Mapping[str, Floats], resamples: Resamples) -> tuple[dic
 def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: int) -> Best:
     """Return the model with the smallest mean absolute error, and the significance of its lead over each other model.
 
-    ``mae`` is the mean absolute error by the name of the model, and ``resampled`` the same over each resample, paired.
-    So many ``groups`` were drawn; fewer than ``fewest_groups`` are never significant.
+    ``mae`` is the mean absolute error by model name, ``resampled`` the same over each resample, paired. ``groups`` is
+    the number of groups drawn; with fewer than ``fewest_groups`` no difference is significant.
     """
-    # All of them favour the same model in two of 2^groups changes of sign.
+    # All groups favour the same model in two of 2^groups sign patterns.
     least = 2.0 ** (1 - groups)
     first = min(mae, key=lambda name: mae[name])
     rivals = []
     for name in sorted((each for each in mae if each != first), key=lambda name: mae[name]):
         lead = resampled[name] - resampled[first]
-        # One more resample on either side, so that none finite gives a probability of zero.
+        # One more resample on either side, so that no finite number of them gives a probability of zero.
         tails = [(1.0 + float(np.sum(side))) / (1.0 + lead.size) for side in (lead <= 0.0, lead >= 0.0)]
         p = min(1.0, max(least, 2.0 * min(tails)))
         rivals.append(Rival(name, mae[name] - mae[first], interval(lead, groups), p))
@@ -245,18 +245,18 @@ def best_of(mae: Mapping[str, float], resampled: Mapping[str, Floats], groups: i
 
 
 def fewest_resamples(models: int) -> int:
-    """Return how many resamples are needed to be able to call one of several models worse.
+    """Return the minimum number of resamples to find one of several models significantly worse.
 
-    Of B resamples the least two-sided probability is 2 / (B + 1), and Holm's correction takes it times the number of
-    rivals, which must stay below ``SIGNIFICANCE``.
+    The smallest two-sided p-value of B resamples is 2 / (B + 1); times the number of rivals (Holm's correction) it must
+    stay below ``SIGNIFICANCE``.
     """
     return math.ceil(2.0 * (models - 1) / SIGNIFICANCE - 1e-9)
 
 
 def fewest_groups(models: int) -> int:
-    """Return how many shots, or groups of shots, are needed to be able to call one of several models worse.
+    """Return the minimum number of shots, or groups of shots, to find one of several models significantly worse.
 
-    The least probability of G groups is 2^(1 - G), and Holm's correction takes it times the number of rivals.
+    The smallest p-value of G groups is 2^(1 - G), multiplied by the number of rivals (Holm's correction).
     """
     return 2 + math.floor(math.log2(max(1, models - 1) / SIGNIFICANCE) + 1e-9)
 
@@ -284,11 +284,11 @@ class Trend(NamedTuple):
     Attributes
     ----------
     covariate
-        The value of the delivery over which the line is drawn.
+        The delivery value on the horizontal axis.
     slope
-        Change of the error for a unit of the covariate, with its interval.
+        Change of the error per unit of the covariate, with its interval.
     explained
-        Fraction of the variance of the error that the line explains, 0 to 1.
+        Fraction of the error's variance explained by the line, 0 to 1.
     """
 
     covariate: str
@@ -307,7 +307,7 @@ def trends(
 ) -> dict[str, list[Trend]]:
     """Return the trend lines of each model over the covariates that were measured and vary.
 
-    ``errors`` are model less measured in one quantity, by the name of the model, of the same shots as ``delivery``.
+    ``errors`` are model minus measured values of one quantity by model name, for the same shots as ``delivery``.
     """
     covariates = {
         name: values
@@ -359,9 +359,9 @@ def error_floor(
 ) -> dict[str, float]:
     """Return the mean absolute error of a perfect model [SI] in each quantity whose noise is known.
 
-    ``predict`` computes launches from deliveries with the model that stands for the truth; it is not needed without
-    ``disturbance``. ``monitor`` and ``disturbance`` are the standard deviations of measured quantities of launch and
-    delivery, whose errors are independent and normally distributed.
+    ``predict`` computes launches from deliveries with the model taken as the truth; it is not needed without
+    ``disturbance``. ``monitor`` and ``disturbance`` are the standard deviations of the measured launch and delivery
+    quantities, whose errors are independent and normally distributed.
     """
     if not disturbance or predict is None:
         return {name: TO_MEAN_ABSOLUTE * monitor[name] for name in QUANTITIES if name in monitor}

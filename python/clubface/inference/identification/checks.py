@@ -21,8 +21,8 @@ from clubface.support.arrays import Floats
 AT_BOUND = 1e-4
 """A parameter closer to a bound than this fraction of its range counts as at the bound."""
 WORSE, NOTHING = 0.05, 1e-6
-"""Relative growth of a mean absolute error above which it counts as worse; smaller changes are chance. Changes below
-the second figure, relative to the mean value, are rounding."""
+"""Relative growth of a mean absolute error above which it counts as worse, smaller changes being chance; and change
+relative to the mean value below which it is rounding."""
 CONTACT_TIME = (350e-6, 600e-6)
 """Range of physical mean contact times [s]; measured ones are 400 to 500 us."""
 PEAK_FORCE = (8e3, 17e3)
@@ -34,8 +34,8 @@ REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 def check_information(simulator: Simulator, point: Floats, noise: Floats) -> list[Note]:
     """Refuse shots that cannot determine the free parameters, and return notes about few shots.
 
-    The message names what the shots leave open. ``point`` is one at which the parameters are tried, such as that of the
-    published set.
+    The message names the undetermined directions. ``point`` is a trial point of the parameters, such as the published
+    set.
     """
     shots, free = simulator.shots, simulator.free
     different = shots.different()

@@ -1,24 +1,23 @@
 """Uncertainty of identified parameters: standard errors, profile likelihoods, resampling and Fisher information.
 
-Standard errors of the minimum of a cost, for intervals without a bootstrap.
+**Standard errors** of the minimum of a cost, for intervals without a bootstrap. Fisher's information gives the standard
+errors of the most likely parameters. The minimum of another cost scatters more. The minimum of the mean absolute error
+scatters by a quarter more if deviations are normally distributed, and by more still if the weights are not those of the
+noise, as in the cost of Caldwell and McPhee (2023). The covariance is A^-1 B A^-1, with A the mean curvature of the
+cost and B the variance of its gradient: P. J. Huber, The behavior of maximum likelihood estimates under nonstandard
+conditions, Proc. 5th Berkeley Symp. 1 (1967) 221-233.
 
-Fisher's information gives the standard errors of the most likely parameters. The minimum of another cost scatters more.
-The minimum of the mean absolute error scatters by a quarter more if deviations are normally distributed, and by more
-still if the weights are not those of the noise, as in the cost of Caldwell and McPhee (2023). The covariance is A^-1 B
-A^-1, with A the mean curvature of the cost and B the variance of its gradient: P. J. Huber, The behavior of maximum
-likelihood estimates under nonstandard conditions, Proc. 5th Berkeley Symp. 1 (1967) 221-233.
-
-Profile likelihoods: how well the shots can be explained with one parameter held and all others fitted anew.
+**Profile likelihoods**: the best fit with one parameter held fixed and all others refitted.
 
 A. Raue et al., Structural and practical identifiability analysis of partially observed dynamical models by exploiting
 the profile likelihood, Bioinformatics 25 (2009) 1923-1929.
 
-Hold-out and bootstrap: the cost on shots that a fit has not seen, and the scatter of the parameters.
+**Hold-out and bootstrap**: the cost on shots not used in the fit, and the scatter of the parameters.
 
-Which parameters the shots determine: Fisher's information from exact derivatives, and its weak directions.
+**Identifiability**: Fisher's information from exact derivatives, and its weak directions.
 
-The launches are taken as normally distributed about those of the model, with one standard deviation for each quantity.
-A direction of the unit cube along which no launch changes by more than these deviations cannot be identified.
+Launches are assumed to be normally distributed about those of the model, with one standard deviation per quantity. A
+direction of the unit cube along which no launch changes by more than these cannot be identified.
 """
 
 from __future__ import annotations
@@ -53,14 +52,14 @@ class Profile:
     name
         Name of the parameter.
     values
-        Values at which it was held [SI], increasing, shape (places,).
+        Values at which the parameter was held [SI], increasing, shape (places,).
     rise
-        Minus twice the logarithm of the likelihood, above its least value, shape (places,).
+        Minus twice the log-likelihood above its minimum, shape (places,).
     interval
-        The least and the greatest value at which the rise is below 3.84 [SI]: the 95% interval.
+        The 95% interval: smallest and largest value at which the rise is below 3.84 [SI].
     closed
-        For either end, whether the rise reaches 3.84 inside the bounds. Where it does not, that end of the interval is
-        a bound, and the shots do not determine the parameter on that side.
+        For each end, whether the rise reaches 3.84 inside the bounds. Otherwise this end of the interval is a bound,
+        and the shots do not determine the parameter on that side.
     """
 
     name: str
@@ -82,7 +81,7 @@ class Profile:
 def outside(value: float, interval: tuple[float, float], profile: Profile | None) -> bool:
     """Return whether the value [SI] of a parameter lies outside its interval or its profile interval."""
     spans = [interval] if profile is None else [interval, profile.interval]
-    # To rounding: the end of an interval may be the value itself, by way of the unit cube.
+    # Up to rounding: the end of an interval may be the value itself, converted to the unit cube and back.
     return any(not low - abs(low) * 1e-9 <= value <= high + abs(high) * 1e-9 for low, high in spans)
 
 
@@ -147,13 +146,13 @@ class Profiler:
 def _crossing(where: Floats, rise: Floats, side: int) -> tuple[float, bool]:
     """Return where the rise last crosses 3.84 on one side, and whether it does.
 
-    A profile may pass it, and fall below it again further out: what lies there is as likely.
+    The last crossing counts: a profile may rise above 3.84 and fall below it again further out.
     """
     likely = np.flatnonzero(rise <= CHI_SQUARE_95)
     place = int(likely[0 if side < 0 else -1])
     if not 0 <= place + side < len(rise):
         return float(where[place]), False
-    # Linear in the root of the rise: exact for normal deviations and a linear model.
+    # Interpolate the square root of the rise: exact for normal deviations and a linear model.
     inner, outer = np.sqrt(rise[place]), np.sqrt(rise[place + side])
     part = (np.sqrt(CHI_SQUARE_95) - inner) / (outer - inner)
     return float(where[place] + part * (where[place + side] - where[place])), True
@@ -164,8 +163,8 @@ BOOTSTRAP = 200
 REACH = 6.0
 """Largest first step of a refit, in standard errors."""
 NEAR_OPTIMUM = 2e-3
-"""A refit ends when the relative fall of the cost, times the number of values, would be less; 1 is one standard
-error."""
+"""A refit ends when the predicted relative fall of the cost, times the number of values, is below this; 1 corresponds
+to one standard error."""
 UNKNOWN_SHARE = 0.05
 """Standard error assumed if the data do not determine a parameter, as a fraction of its range."""
 
@@ -173,7 +172,7 @@ UNKNOWN_SHARE = 0.05
 class Refits:
     """Fits to subsets of the shots, each started at the optimum for all shots, a point of the unit cube.
 
-    ``errors`` are the standard errors of its coordinates; infinite where the shots do not determine one.
+    ``errors`` are the standard errors of its coordinates, infinite for those that the shots do not determine.
     """
 
     def __init__(self, simulator: Simulator, cost: Cost, optimum: Floats, errors: Floats) -> None:
@@ -198,11 +197,11 @@ class Refits:
 def interval_of(samples: Floats, confidence: float, groups: int) -> Floats:
     """Return the intervals of parameters bootstrapped from ``groups`` groups, shape (2, free).
 
-    The ends are percentiles. They are moved outwards by as much as Student's t distribution is wider than the normal
-    distribution, because plain percentiles are too narrow for few groups: T. C. Hesterberg, What teachers should know
-    about the bootstrap, The American Statistician 69 (2015) 371-386. The k-th of B sorted samples stands for the
-    fraction (k - 1/3) / (B + 1/3) of all (median-unbiased: R. J. Hyndman and Y. Fan, Sample quantiles in statistical
-    packages, The American Statistician 50 (1996) 361-365); numpy's own rule cuts off the tails of few samples.
+    The ends are percentiles, widened by the ratio of Student's t to the normal distribution, because plain percentiles
+    are too narrow for few groups: T. C. Hesterberg, What teachers should know about the bootstrap, The American
+    Statistician 69 (2015) 371-386. The k-th of B sorted samples estimates the quantile (k - 1/3) / (B + 1/3)
+    (median-unbiased: R. J. Hyndman and Y. Fan, Sample quantiles in statistical packages, The American Statistician 50
+    (1996) 361-365); numpy's default rule cuts off the tails of small samples.
     """
     from scipy.special import ndtr, stdtrit
 
@@ -214,7 +213,8 @@ def interval_of(samples: Floats, confidence: float, groups: int) -> Floats:
 def held_out(refits: Refits, folds: int, seed: int, once: Callable[[str, Callable[[], Any]], Any]) -> Floats:
     """Return the launches of all shots, shape (quantities, shots), each predicted by a fit to the other folds.
 
-    Groups of shots are dealt to folds at random. ``once`` returns a part by name, computed where it is not yet known.
+    Groups of shots are assigned to folds at random. ``once`` returns a part by name and computes it only if it is not
+    stored.
     """
     groups = refits.simulator.shots.groups
     count = int(groups.max()) + 1
@@ -244,7 +244,7 @@ NORMAL_95 = 1.959963984540054
 NULL = 1e-9
 """A singular value below this fraction of the largest counts as zero; derivatives are exact to about 1e-12."""
 UNKNOWN = 0.5
-"""Half-width of a 95% interval, as a fraction of the range, at which the data say no more than the bounds."""
+"""Half-width of a 95% interval, as a fraction of the range, above which the data add nothing to the bounds."""
 WEAK = 0.05
 """Half-width above which a direction is called weak."""
 SHOWN, SHOWN_WITHOUT_INFORMATION = 0.25, 0.02
@@ -263,7 +263,7 @@ class Direction:
         Standard error along the direction, as a fraction of the range of the parameters; infinite if no launch changes
         along it.
     words
-        Which parameters change along the direction, and how well it is known.
+        The parameters that change along the direction, and how well it is known, in words.
     """
 
     vector: Floats
@@ -288,12 +288,12 @@ class Identifiability:
     names
         The free parameters.
     noise
-        Standard deviation that was assumed for each quantity [SI].
+        Standard deviation assumed for each quantity [SI].
     directions
-        Eigenvectors of the information, the weakest first.
+        Eigenvectors of the information, weakest first.
     errors
-        Standard errors of the coordinates of the unit cube, shape (free,); infinite for a parameter about which the
-        shots say nothing.
+        Standard errors of the coordinates of the unit cube, shape (free,); infinite for parameters that the shots do
+        not determine.
     correlations
         Correlations of the parameters, shape (free, free); NaN where an error is infinite.
     """
@@ -306,7 +306,7 @@ class Identifiability:
 
     @property
     def unknown(self) -> tuple[str, ...]:
-        """The parameters about which the shots say no more than the bounds."""
+        """The parameters for which the shots add nothing to the bounds."""
         return tuple(
             name for name, error in zip(self.names, self.errors, strict=True) if not NORMAL_95 * error <= UNKNOWN
         )
@@ -323,7 +323,7 @@ def identifiability(simulator: Simulator, point: Floats, noise: Floats) -> Ident
     null = values <= NULL * max(values[0], 1e-300)
     inverse = np.where(null, 0.0, 1.0 / np.where(null, 1.0, values))
     errors = np.sqrt(np.sum((vectors * inverse[:, None]) ** 2, axis=0))
-    # A parameter that takes part in a direction without information is itself not known.
+    # A parameter with a component along a direction without information is itself undetermined.
     touched = np.any(np.abs(vectors[null]) > 1e-6, axis=0) if null.any() else np.zeros(free, dtype=bool)
     errors = np.where(touched, np.inf, errors)
     covariance = (vectors.T * inverse**2) @ vectors
@@ -341,9 +341,9 @@ def identifiability(simulator: Simulator, point: Floats, noise: Floats) -> Ident
 def scatter(deviations: Floats, noise: Floats) -> Floats:
     """Return the standard deviation to assume for each quantity [SI]: the scatter of its deviations, or its noise.
 
-    The larger of the two is taken, because a model whose error exceeds the noise is known less well. ``deviations`` has
-    the shape (quantities, shots), with NaN where nothing was measured. The scatter is 1.4826 times the median
-    magnitude, which is the standard deviation of a normal distribution.
+    The larger of the two is used, because the error of the model may exceed the noise. ``deviations`` has shape
+    (quantities, shots), with NaN where nothing was measured. The scatter is 1.4826 times the median magnitude, which is
+    the standard deviation of a normal distribution.
     """
     with np.errstate(invalid="ignore"):
         return np.maximum(noise, 1.4826 * np.nanmedian(np.abs(deviations), axis=1))
@@ -373,12 +373,12 @@ def _direction(names: tuple[str, ...], vector: Floats, error: float) -> Directio
 def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, information: Identifiability) -> Floats:
     """Return the standard errors of the coordinates of the minimum ``point`` of a cost, shape (free,).
 
-    Deviations are taken as independent and normally distributed, with the standard deviations of ``information``. An
-    error is infinite where that of ``information`` is infinite.
+    Deviations are assumed to be independent and normally distributed, with the standard deviations of ``information``.
+    Errors that are infinite in ``information`` stay infinite.
     """
     _, derivatives = simulator.derivatives(point)
     curvatures, variances = _moments(cost, information.noise)
-    # Along the directions in which launches change at all, in standard errors: both matrices are of the order of 1.
+    # In units of standard errors along the directions that change launches, both matrices are of order 1.
     known = [each.vector * each.error for each in information.directions if np.isfinite(each.error)]
     if not known:
         return np.full(len(point), np.inf)

@@ -44,21 +44,21 @@ DECADE = 10.0
 class FreeParameters:
     """The parameters to identify; the others keep the values of a parameter set.
 
-    A point of the search is an array of one coordinate a free parameter, 0 at the lower bound and 1 at the upper,
-    in between linear in the value or, where the bounds span more than a decade, in its logarithm.
+    A point of the search has one coordinate per free parameter, from 0 at the lower to 1 at the upper bound, linear in
+    the value or, if the bounds span more than a decade, in its logarithm.
 
     Attributes
     ----------
     fixed
-        The set that holds every other parameter.
+        The parameter set with the values of all other parameters.
     names
         The free parameters, in the order of the registry.
     lower, upper
         Their bounds [SI], shape (free,).
     logarithmic
-        Which are searched by their logarithm, shape (free,).
+        Whether each is searched on a logarithmic scale, shape (free,).
     tied
-        Parameters that take the value of a free one, by name.
+        Parameters that follow a free one, by name.
     """
 
     fixed: ParameterSet
@@ -150,9 +150,9 @@ def free_parameters(
 ) -> FreeParameters:
     """Choose the free parameters of a model; ``fixed`` holds the values of the others.
 
-    Of ``names``, "all" are every one, and none given those that the publication identified, which then says what is
-    ``tied``: parameters that follow a free one. ``bounds`` are pairs of values, text with a unit or SI, by name; left
-    out, those of ``identification.toml``, else of the model.
+    ``names`` are the free parameters, or "all". Default: those identified in the publication, with its ``tied``
+    parameters, which follow a free one. ``bounds`` are pairs of values by name, text with a unit or SI. Default: those
+    of ``identification.toml``, else of the model.
     """
     declared = model_named(fixed.model)
     everything = [each.name for each in declared.parameters]
@@ -214,36 +214,36 @@ def _bounds(parameter: Parameter, given: Any, tied: Mapping[str, str], model: st
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PreparedShots:
-    """Deliveries and launches measured together, of one club and ball.
+    """Measured deliveries and launches of one club and ball, as inputs of the core.
 
     Attributes
     ----------
     club, ball
         The club and the ball of all shots.
     columns
-        One an input of the core: a number, or an array of shape (shots,).
+        One column per input of the core: a number, or an array of shape (shots,).
     quantities
         Names of the launch quantities.
     launches
-        Their measured values [SI], shape (quantities, shots); NaN where one was not measured.
+        Measured values [SI], shape (quantities, shots); NaN where not measured.
     start
-        Launch angles, or launch angles and azimuths [rad], that every set of parameters meets, shape (1 or 2, shots);
-        of shape (0, shots) for a comparison at the measured delivery. Loft and face angle among the columns are then
-        those with which the parameters given meet them.
+        Launch angles, or launch angles and azimuths [rad], that every parameter set meets, shape (1 or 2, shots); shape
+        (0, shots) for a comparison at the measured delivery. Loft and face angle in the columns are then those with
+        which the initial parameters meet them.
     loft_origins
-        What the shots tell of where their dynamic lofts come from.
+        Origin of the dynamic lofts, as far as the shots reveal it.
     rows
-        Where each shot stands in its source.
+        Row of each shot in its source.
     groups
-        Number of the group of each shot, such as its player, from 0; shots of a group are left out and drawn together.
+        Group number of each shot, such as its player, from 0; shots of a group are held out and resampled together.
     source
-        The file, or another name.
+        Path of the file, or another name.
     dropped
-        Rows that cannot be used.
+        Rows that cannot be used, with reasons.
     notes
-        What was assumed about the shots.
+        Notes on assumptions about the shots.
     provenance
-        What their launches were computed from with the parameters given.
+        Provenance of the launches computed with the initial parameters.
     """
 
     club: Club
@@ -281,7 +281,7 @@ class PreparedShots:
         return list(SOLVED)[: len(self.start)]
 
     def solved_columns(self) -> list[int]:
-        """Return the columns of the inputs that are solved for to meet them."""
+        """Return the columns of the inputs that are solved for to meet these values."""
         return [input_columns()[SOLVED[name]] for name in self.met]
 
     def distinct_deliveries(self) -> int:
@@ -311,7 +311,7 @@ def prepared_shots(
     parameters: ParameterSet,
     compared_at: str = DELIVERY,
 ) -> PreparedShots:
-    """Prepare recorded shots for the core, without those that the model cannot compute with ``parameters``.
+    """Prepare recorded shots for the core, excluding those that the model cannot compute with ``parameters``.
 
     Parameters
     ----------
@@ -320,13 +320,13 @@ def prepared_shots(
     ball
         As for :func:`impact`.
     quantities
-        The launch quantities to compare, which must have been measured. If left out: those of ball speed, launch angle,
-        azimuth, backspin and sidespin that were measured.
+        Launch quantities to compare, which must have been measured. Default: the measured ones among ball speed, launch
+        angle, azimuth, backspin and sidespin.
     groups
-        One label for each shot of ``given``. If left out: the players, if the shots name several; otherwise every shot
-        is a group of its own.
+        One label per shot of ``given``. Default: the players, if the shots name several; otherwise every shot is a
+        group of its own.
     parameters
-        A parameter set of the model.
+        Initial parameter set of the model.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = None if groups is None else group_labels(groups, len(recorded))
@@ -347,7 +347,7 @@ def prepared_shots(
     launches = np.array([measured.launch[name] for name in there])
     how: dict[str, Any] = {"model": parameters.model, "parameters": parameters, "ball": ball}
     problems: dict[int, str] = {}
-    with without_warnings(RangeWarning):  # of the parameters with which the search begins
+    with without_warnings(RangeWarning):  # from the initial parameters
         if measured.start:
             solved = impact_at_launch(measured.club, measured.delivery, **measured.start, **how)
             launch = solved.launch

@@ -51,9 +51,9 @@ class Deviation:
     std
         Standard deviation of simulated minus measured values.
     mae_holdout
-        Mean absolute error if every shot is simulated with a fit that did not see it; NaN without hold-out.
+        Mean absolute error with each shot simulated by a fit without it; NaN without hold-out.
     mae_before
-        Mean absolute error with the set that the fit began with, such as the published one.
+        Mean absolute error with the initial parameter set, such as the published one.
     """
 
     mean: float
@@ -75,54 +75,54 @@ class Identification(Described):
     club
         Name of the club.
     parameters
-        All parameters of the model. Use them wherever a parameter set is taken; ``to_toml()`` writes them to a file.
+        All parameters of the model, usable wherever a parameter set is; ``to_toml()`` returns them as the text of a
+        file.
     free
-        Names of the parameters that were identified.
+        Names of the identified parameters.
     intervals
-        Lower and upper end of the confidence interval of each free parameter [SI].
+        Ends of the confidence interval of each free parameter [SI].
     confidence
         Confidence level of the intervals.
     method
-        How the intervals were made: "bootstrap", or without one "information", from derivatives and normally
-        distributed deviations.
+        Method of the intervals: "bootstrap", or "information", from derivatives and normally distributed deviations.
     cost
         Cost at the identified parameters.
     cost_holdout
-        Cost if every shot is simulated with a fit that did not see it; NaN without hold-out.
+        Cost with each shot simulated by a fit without it; NaN without hold-out.
     cost_kind
         "published" (equation 22 of Caldwell and McPhee 2023), "least-squares" or "robust".
     deviations
-        A :class:`Deviation` for each launch quantity.
+        One :class:`Deviation` per launch quantity.
     evaluations, impacts
-        How often all shots were simulated, and how many impacts that makes.
+        Number of simulations of all shots, and of impacts.
     wall_s
         Time taken [s], including interrupted runs.
     shots
         Number of shots used.
     dropped
-        Rows that were not used, with reasons.
+        Rows not used, with reasons.
     refined
-        Costs at which the refinements ended.
+        Final costs of the refinements.
     samples
         Parameters of the bootstrap samples [SI], shape (samples, free).
     held_out
-        Launches of every shot by a fit that did not see it [SI], shape (quantities, shots); None without hold-out.
+        Launches of each shot by a fit without it [SI], shape (quantities, shots); None without hold-out.
     identifiability
         Fisher's information of the shots.
     profiles
         Profile likelihoods by parameter.
     at_bound
-        Names of the free parameters whose value meets a bound of the search.
+        Names of the free parameters at a bound of the search.
     warnings
-        What you must know before you use the parameters.
+        Warnings to read before using the parameters.
     notes
-        What was assumed about the shots.
+        Notes on assumptions about the shots.
     settings
         The options of the identification.
     loft_origins
-        What the shots tell of where their dynamic lofts come from.
+        Origin of the dynamic lofts, as far as the shots reveal it.
     provenance
-        What the shots were read from and the fit began with.
+        Source of the shots, and initial parameters.
     """
 
     model: str
@@ -160,9 +160,9 @@ class Identification(Described):
     def identified(self, name: str) -> str:
         """Return whether the shots determine a parameter.
 
-        "yes", "no", "from below only" or "from above only"; "not alone", where a combination with other parameters
-        changes no launch; "at its bound", where the best value may lie beyond; or "contradicted", where an interval
-        does not hold the value.
+        "yes", "no", "from below only" or "from above only"; "not alone" if a combination with other parameters changes
+        no launch; "at its bound" if the best value may lie beyond it; or "contradicted" if an interval does not contain
+        the value.
         """
         information = self.identifiability
         if not math.isfinite(information.errors[information.names.index(name)]):
@@ -176,7 +176,7 @@ class Identification(Described):
         return "at its bound" if verdict == "yes" and name in self.at_bound else verdict
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
-        """Return a parameter value as text, in the unit shown to people."""
+        """Return a parameter value as text in its display unit."""
         return units.show(value, display_unit(name, model_named(self.model).parameter(name).unit), digits)
 
     def __repr__(self) -> str:
@@ -352,7 +352,7 @@ def _words(value: Any) -> str:
 
 
 def _between(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
-    """Return a curve through the points of a profile; its square root is linear between them, as for its interval."""
+    """Return a curve through the points of a profile, linear in its square root like the interval."""
     place = np.linspace(0.0, len(where) - 1.0, FINE * (len(where) - 1) + 1)
     roots = np.sqrt(rise) * np.sign(np.arange(len(rise)) - float(np.argmin(rise)))
     counted = np.arange(len(where))

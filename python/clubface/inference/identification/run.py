@@ -1,4 +1,4 @@
-"""Identification from start to end, in stages whose finished parts are kept, so that an interrupted run can resume."""
+"""Identification in stages whose finished parts are stored, so that an interrupted run can resume."""
 
 from __future__ import annotations
 
@@ -53,15 +53,15 @@ FEWEST_GROUPS = 10
 """With fewer groups of shots than this, there are too few resamples for a bootstrap alone."""
 
 Progress = Callable[[str, int, int, float], object]
-"""Called with the stage, the amount done, the total, and the smallest cost so far."""
+"""Function called with the stage, the amount done, the total, and the smallest cost so far."""
 
 
 @dataclass
 class Stages:
     """Runs the stages in order; finished parts are taken from the store with all their digits.
 
-    Simulator and cost are of all shots; ``noise`` is the standard deviation of each quantity [SI], and ``best`` the
-    least cost so far. ``progress`` is called after every part.
+    Simulator and cost refer to all shots; ``noise`` is the standard deviation of each quantity [SI], ``best`` the
+    smallest cost so far. ``progress`` is called after every part.
     """
 
     simulator: Simulator
@@ -209,9 +209,9 @@ class Stages:
     ) -> dict[str, tuple[float, float]]:
         """Return one interval per parameter.
 
-        That of few groups of shots takes in the one without a bootstrap. One that Fisher's information finds unknown
-        takes in its profile or bounds, and the fit itself: a refit begins at the fit and would not leave it along a
-        direction that changes nothing, or leaves it to wherever the next shots lead.
+        For few groups of shots, the bootstrap interval is extended to include the interval from derivatives. For a
+        parameter that Fisher's information finds unknown, it is extended to its profile interval or bounds, and to the
+        fit itself: along a direction that changes no launch, refits either stay at the fit or drift.
         """
         free = self.simulator.free
         confidence, groups = self.settings["confidence"], int(self.simulator.shots.groups.max()) + 1
@@ -326,58 +326,57 @@ def identify(
     model
         Name of a model.
     parameters
-        The values of the parameters that are not free, as for :func:`impact`.
+        Values of the parameters that are not free, as for :func:`impact`.
     free
-        Names of the parameters to identify, or "all". If left out: those that the publication of the model identified.
+        Names of the parameters to identify, or "all". Default: those identified in the publication of the model.
     bounds
-        Pairs of values by name, as text with a unit or as SI numbers, within the bounds of the model. If left out, the
-        bounds of the model hold.
+        Pairs of values by name, text with a unit or SI numbers, within the bounds of the model. Default: the bounds of
+        the model.
     tied
         Parameters that follow a free one, by name: ``{"ring_modulus": "shear_modulus"}``.
     only
-        Take only the shots of the club that the file calls so.
+        Name of a club in the file; only its shots are used.
     mismatch
-        What to do with shots that look like those of another club: "refuse" or "note".
+        What to do if the shots indicate another club: "refuse" or "note".
     quantities
-        Launch quantities to compare. If left out: those of ball speed, launch angle, azimuth, backspin and sidespin
-        that were measured.
+        Launch quantities to compare. Default: the measured ones among ball speed, launch angle, azimuth, backspin and
+        sidespin.
     compared_at
-        "delivery", or "launch": launch angle and, if it was measured, start direction are then met for every set of
-        parameters, for which dynamic loft and face angle are solved, and ball speed and spin are compared there. The
-        derivatives hold what the solution changes. Lofts that a monitor computed from the ball do not count then; with
-        "delivery" they carry the monitor's own model into the fit.
+        "delivery" or "launch". At "launch", dynamic loft and face angle are solved for every parameter set so that
+        launch angle and, if measured, start direction are met; ball speed and spin are compared there, and derivatives
+        include the change of the solution. Lofts that a monitor computed from the ball are then not used; at "delivery"
+        they bring the monitor's own model into the fit.
     groups
-        One label for each shot. The shots of a group are held out and drawn together. If left out: the players, if the
-        shots name several; otherwise the shots are taken as independent.
+        One label per shot; shots of a group are held out and resampled together. Default: the players, if the shots
+        name several; otherwise the shots count as independent.
     cost
         "published" is equation 22 of Caldwell and McPhee; "least-squares" is weighted by the noise; "robust" is the
         same with Huber's loss.
     normaliser
         For "published": "absolute" or "signed", see :func:`clubface.inference.identification.simulator.cost_of`.
     noise
-        Standard deviation of the measurement by quantity, as text with a unit or as SI numbers.
+        Standard deviation of the measurement by quantity, text with a unit or SI numbers.
     population, generations, refined
-        Size of the population, number of generations, and number of points that are refined. The defaults, 200, 100 and
-        5, are those of Caldwell and McPhee.
+        Population size, number of generations, and number of refined points. The defaults, 200, 100 and 5, are those of
+        Caldwell and McPhee.
     folds
         Number of folds of the hold-out; 0 for none.
     bootstrap
-        Number of bootstrap samples. With 0, the intervals are those of normally distributed deviations of independent
-        shots.
+        Number of bootstrap samples. With 0, the intervals assume normally distributed deviations of independent shots.
     profiles
-        Parameters for which to compute profile likelihoods; if left out, all free ones.
+        Parameters for which profile likelihoods are computed. Default: all free ones.
     confidence
         Confidence level of the intervals.
     seed
-        Seed of all random numbers. The same seed gives the same result, bit for bit, on any number of threads.
+        Seed of all random numbers. The same seed gives bit-identical results on any number of threads.
     accuracy, threads
         As for :func:`impact`.
     checkpoint
-        A folder that keeps what is finished. It is removed when everything is finished.
+        Folder for finished parts; it is removed at the end of the run.
     resume
-        Refuse a checkpoint of other shots or settings, instead of beginning anew in its place.
+        True raises FileError if the checkpoint belongs to other shots or settings; False replaces it.
     progress
-        Called with the name of the stage, how much of it is done, of how much, and the least cost so far.
+        Function called with the stage, the amount done, the total, and the smallest cost so far.
 
     Returns
     -------
@@ -387,11 +386,11 @@ def identify(
     Raises
     ------
     InputError
-        The shots cannot be used, belong to another club, or hold less information than there are free parameters; or an
+        The shots cannot be used, belong to another club, or do not determine as many parameters as are free; or an
         option is out of range.
     FileError
-        A file cannot be read, or a checkpoint belongs to other shots or settings, and is to be resumed or is still
-        worked on.
+        A file cannot be read, or the checkpoint belongs to other shots or settings and ``resume`` is set or another run
+        uses it.
     """
     reduced_model(model, "one with derivatives")
     counts = {
@@ -409,7 +408,7 @@ def identify(
     head = equipment.club
     fixed = given
     if given.includes_face and given.characteristic_time is None:
-        # It includes the face of any club: once fitted, that of the club the shots were hit with.
+        # The parameters include the face of the club: after the fit, of the club used for the shots.
         fixed = replace(given, characteristic_time=head.characteristic_time or None)
     for name, value in fixed.values.items():
         if not isinstance(value, float):

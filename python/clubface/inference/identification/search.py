@@ -1,17 +1,17 @@
-"""The search of an identification: a global search, then steps on linearised launches.
+"""The search of an identification: a global search, then a local one with linearised launches.
 
-Global search: a genetic algorithm over the unit cube that evaluates a whole generation in one batch.
+**Global search**: a genetic algorithm over the unit cube that evaluates a whole generation in one batch.
 
-From a point near an optimum to the optimum: steps on linearised launches within a trust region.
+**Local search**: from a point near an optimum, steps with linearised launches within a trust region.
 
-The best step within a box where launches are linear: least absolute deviations or bounded least squares.
+**Step**: least absolute deviations or bounded least squares of the linearised launches in a box.
 
 The mean absolute error in the cost of Caldwell and McPhee (2023) has no gradient where a deviation vanishes, and at its
 minimum as many deviations vanish as there are parameters. A gradient method gets stuck there. The launches themselves
-are smooth. They are therefore made linear, and the cost of the linear launches is minimised exactly, with its kinks and
-the bounds.
+are smooth. They are therefore linearised, and the cost of the linearised launches, with its kinks and the bounds, is
+minimised exactly.
 
-Least absolute deviations of a linear model in a box, exactly: an active-set method.
+**Least absolute deviations** of a linear model in a box are minimised exactly, by an active-set method.
 
 After R. H. Bartels, A. R. Conn and J. W. Sinclair, Minimization techniques for piecewise differentiable functions: the
 l1 solution to an overdetermined linear system, SIAM Journal on Numerical Analysis 15 (1978) 224-241. At the minimum as
@@ -37,7 +37,7 @@ POPULATION, GENERATIONS, REFINED = 200, 100, 5
 class Population(NamedTuple):
     """The survivors of each generation, starting with the random one.
 
-    They are ``points`` of the unit cube, shape (population, free), with their ``costs``, shape (population,).
+    The ``points`` of the unit cube have shape (population, free), their ``costs`` shape (population,).
     """
 
     generation: int
@@ -59,12 +59,12 @@ def search(
     begun: Population | None = None,
     after_generation: Callable[[Population], object] | None = None,
 ) -> Population:
-    """Search the unit cube by pymoo's genetic algorithm: tournament, simulated binary crossover, polynomial mutation.
+    """Search the unit cube with pymoo's genetic algorithm: tournament, simulated binary crossover, polynomial mutation.
 
-    ``costs_of`` takes points of shape (n, free) to costs of shape (n,). The random numbers of a generation depend on
-    ``seed`` and its number alone, so that a search goes on from the population ``begun`` as if it had never stopped.
-    The random first generation is one of the ``generations``; ``after_generation`` is called with the survivors of
-    each.
+    ``costs_of`` maps points, shape (n, free), to costs, shape (n,). The random numbers of a generation depend only on
+    ``seed`` and its number, so that a search resumed from the population ``begun`` continues as if it had never
+    stopped. The random first generation counts among the ``generations``; ``after_generation`` is called with the
+    survivors of each.
     """
     from pymoo.algorithms.soo.nonconvex.ga import GA, FitnessSurvival
     from pymoo.core.population import Population as Individuals
@@ -123,13 +123,13 @@ def least_absolute(deviations: Floats, rows: Floats, lower: Floats, upper: Float
     scales = np.sqrt(np.mean(rows**2, axis=0)) if len(deviations) else np.zeros(len(lower))
     if not (size > 0.0 and np.all(np.isfinite(scales))):
         return np.zeros(len(lower))
-    # Deviations of size 1, and steps that change them by about 1, so that rounding means the same for all.
+    # Scale deviations to size 1 and steps to change them by about 1, so that rounding affects all alike.
     scales = np.where(scales > 0.0, scales, 1.0) / size
     matrix, deviations = rows / (scales * size), deviations / size
-    # Equal shots would vanish together, more constraints than coordinates, and the method turn in circles among them.
+    # Deviations of equal shots would vanish together, give more constraints than coordinates and make the method cycle.
     deviations = deviations + TIE * (np.arange(len(deviations)) * GOLDEN % 1.0 - 0.5)
     low, high = lower * scales, upper * scales
-    # A deviation that keeps its sign in the whole box adds a constant slope and need not be looked at again.
+    # A deviation that keeps its sign in the whole box only adds a constant slope.
     sure = np.abs(deviations) > np.abs(matrix) @ np.maximum(high, -low)
     slope = np.sign(deviations[sure]) @ matrix[sure]
     step = _descend_deviations(deviations[~sure], matrix[~sure], low, high, slope)
@@ -168,7 +168,7 @@ def _direction(gradient: Floats, active: list[_Active], rows: Floats) -> Floats 
     along = -(gradient + multipliers @ normals)
     if len(active) < len(gradient) and np.max(np.abs(along)) > ROUNDING * scale:
         return along
-    # The multiplier of a deviation lies between -1 and 1 at the minimum; of a bound it points out of the box.
+    # At the minimum the multiplier of a deviation lies between -1 and 1; that of a bound points out of the box.
     excess = [
         abs(value) - 1.0 if not each.side else -value * each.side
         for each, value in zip(active, multipliers, strict=True)
@@ -191,7 +191,7 @@ def _edge(
     walls = np.where(direction == 0.0, np.inf, np.maximum(walls, 0.0))
     wall = int(np.argmin(walls))
     ahead = np.flatnonzero((left != 0.0) & (changes != 0.0) & (kinks >= 0.0) & (kinks <= walls[wall]))
-    # A deviation that vanishes without being a constraint turns positive at once, whichever way it goes.
+    # The magnitude of a deviation that vanishes without being a constraint grows in either direction.
     slope += float(np.sum(np.abs(changes[left == 0.0])))
     order = ahead[np.argsort(kinks[ahead], kind="stable")]
     slopes = slope + 2.0 * np.cumsum(np.abs(changes[order]))
@@ -212,8 +212,8 @@ HUBER_ROUNDS = 8
 def best_step(cost: Cost, simulated: Floats, derivatives: Floats, lower: Floats, upper: Floats) -> Floats:
     """Return the step, shape (free,), that minimises the cost of linearised launches in a box around 0.
 
-    The launches where it begins are ``simulated``, shape (quantities, shots), and their ``derivatives`` have the shape
-    (quantities, free, shots).
+    ``simulated`` are the launches at the start of the step, shape (quantities, shots), ``derivatives`` their
+    derivatives, shape (quantities, free, shots).
     """
     used = cost.weights > 0.0
     deviations = (simulated - cost.measured)[used]
@@ -263,7 +263,7 @@ SMALLEST_STEP = 1e-10
 SMALLEST_FALL = 1e-12
 """Default relative fall of the cost below which the refinement ends."""
 LAST = 50.0
-"""The refinement ends when the predicted fall is below this multiple of that; the next step would be far smaller."""
+"""The refinement ends when the predicted fall is below this multiple of the tolerance; the next one is far smaller."""
 MOST_STEPS = 100
 
 EXPLAINED = 1e-3
@@ -298,17 +298,17 @@ def refine(
     held: NDArray[np.bool_] | None = None,
     fall: float = SMALLEST_FALL,
 ) -> Refined:
-    """Minimise the cost from ``start``, a point of the unit cube, by exact derivatives; the result is never worse.
+    """Minimise the cost from ``start``, a point of the unit cube, with exact derivatives; never returns a worse point.
 
-    The first step goes as far as ``radius``, in all coordinates or in each; ``first`` are the launches at the start
-    with their derivatives, where they are known. Coordinates that are ``held``, shape (free,), do not move. A further
-    fall by less than the part ``fall`` of the cost does not matter.
+    ``radius`` is the maximum first step, for all coordinates or for each; ``first`` are the launches at the start with
+    their derivatives, if known. Coordinates that are ``held``, shape (free,), do not move. The refinement ends when the
+    cost would fall by less than the fraction ``fall``.
     """
     refined = _descend(simulator, cost, start, radius, first, held, fall)
     if cost.loss == "absolute" or not refined.cost < EXPLAINED:
         return refined
-    # Where a contact takes one integration step more, its launch jumps by about 1e-4: an outlier to a linear model,
-    # which least absolute deviations pass over. They lead on where squares are stuck at jumps.
+    # Where a contact takes one more integration step, its launch jumps by about 1e-4: an outlier to a linear model.
+    # Least absolute deviations are insensitive to it and go on where least squares are stuck at such jumps.
     other = _descend(simulator, cost.absolute(), refined.point, radius, None, held, fall)
     value = cost.value(simulator.launch(other.point))
     return Refined(other.point, value, refined.steps + other.steps) if value < refined.cost else refined

@@ -44,7 +44,7 @@ class Effort:
 class Simulator:
     """Computes the launches of measured shots at points of the unit cube of free parameters, counting the effort.
 
-    ``accuracy`` is the tolerance of a contact step, None for the fast setting, and 0 ``threads`` are all cores.
+    ``accuracy`` is the relative tolerance per contact step, None for the fast setting; 0 ``threads`` means all cores.
     """
 
     shots: PreparedShots
@@ -64,7 +64,7 @@ class Simulator:
     def launches(self, points: Floats) -> Floats:
         """Return the launch quantities [SI] at points of shape (n, free), shape (quantities, n, shots).
 
-        A shot that cannot be computed is NaN.
+        Shots that cannot be computed are NaN.
         """
         count = len(self.shots)
         block = max(1, MOST_ROWS // count)
@@ -85,8 +85,8 @@ class Simulator:
     def derivatives(self, point: Floats) -> tuple[Floats, Floats]:
         """Return the launch quantities at a point, shape (quantities, shots), and their derivatives by its coordinates.
 
-        The latter have the shape (quantities, free, shots). They are exact: dual numbers through the model, and where
-        launch angle and azimuth are met, the implicit function of the angles that meet them.
+        The derivatives have shape (quantities, free, shots). They are exact: dual numbers for the model, and implicit
+        differentiation of the angles that meet launch angle and azimuth.
         """
         driven = self.free.driven()
         inputs = self._met(self.shots.columns, self.free.single(point), len(self.shots))
@@ -160,13 +160,13 @@ class Simulator:
 def _at_launch(by_point: Floats, by_angle: Floats, count: int) -> Floats:
     """Return the total derivatives of the first ``count`` outputs, including the change of the solved angles.
 
-    With outputs q and met ones m, angles a and coordinates p: m(a, p) stays, so that da/dp = -(dm/da)^-1 dm/dp, and
-    dq/dp = q_p - q_a (m_a)^-1 m_p.
+    With outputs q, met outputs m, angles a and coordinates p: m(a, p) is constant, so that da/dp = -(dm/da)^-1 dm/dp,
+    and dq/dp = q_p - q_a (m_a)^-1 m_p.
     """
     if not by_angle.shape[1]:
         return by_point[:count]
     met_by_angle, met_by_point = (np.moveaxis(each[count:], -1, 0) for each in (by_angle, by_point))
-    usable = np.abs(np.linalg.det(met_by_angle)) > 0.0  # not where a shot cannot be computed
+    usable = np.abs(np.linalg.det(met_by_angle)) > 0.0  # zero where a shot cannot be computed
     follow = np.full(met_by_point.shape, np.nan)
     follow[usable] = np.linalg.solve(met_by_angle[usable], met_by_point[usable])
     return by_point[:count] - np.einsum("qas,sap->qps", by_angle[:count], follow)
@@ -184,7 +184,7 @@ NOISE = {"ball_speed": units.to_si(0.5, "mph"), **MONITOR}
 0.5 mph of ball speed is assumed."""
 
 HUBER = 1.345
-"""Where Huber's loss turns from square to linear, in units of the noise: 95% efficient for normal noise.
+"""Knee of Huber's loss, from square to linear, in units of the noise: 95% efficient for normal noise.
 
 P. J. Huber, Robust estimation of a location parameter, Annals of Mathematical Statistics 35 (1964).
 """
@@ -200,11 +200,11 @@ class Cost:
         "absolute": weight |deviation|; "squares": weight deviation^2; "huber": weight times Huber's loss of
         deviation / knee, times knee^2, which is deviation^2 up to the knee.
     measured
-        Shape (quantities, shots), 0 where nothing was measured.
+        Measured values [SI], shape (quantities, shots), 0 where nothing was measured.
     weights
-        The same shape, 0 where nothing was measured.
+        Weights of the same shape, 0 where nothing was measured.
     knees
-        Of Huber's loss [SI], shape (quantities,).
+        Knees of Huber's loss [SI], shape (quantities,).
     """
 
     loss: Loss
@@ -218,7 +218,7 @@ class Cost:
         for quantity in range(len(simulated)):
             losses = self._losses(simulated[quantity] - self.measured[quantity], self.knees[quantity])
             losses *= self.weights[quantity]
-            # Over the last, contiguous axis: the same sum for one point as for a population.
+            # Summed over the last, contiguous axis, so that one point gives the same sum as a population.
             total += losses.sum(axis=-1)
         return np.where(np.isnan(total), np.inf, total)
 
@@ -227,7 +227,7 @@ class Cost:
         return Cost(self.loss, self.measured[:, chosen], self.weights[:, chosen] * counts, self.knees)
 
     def absolute(self) -> Cost:
-        """Return the sum of absolute deviations, each scaled so that its loss is 1."""
+        """Return the cost with absolute deviations, scaled so that a deviation with a loss of 1 keeps it."""
         return Cost("absolute", self.measured, np.sqrt(self.weights), self.knees)
 
     def value(self, simulated: Floats) -> float:
@@ -260,20 +260,20 @@ def cost_of(
         by its normaliser, summed over the quantities. "least-squares" is the mean of (deviation / noise)^2. "robust" is
         the same with Huber's loss.
     launches
-        Measured values [SI], shape (quantities, shots). NaN marks a value that was not measured; it does not count.
+        Measured values [SI], shape (quantities, shots); NaN for values not measured, which are ignored.
     quantities
         Names of the rows.
     noise
-        Standard deviations of the measurement by quantity, as text with a unit or as SI numbers. They replace those of
+        Standard deviations of the measurement by quantity, text with a unit or SI numbers; they replace those of
         :data:`NOISE`.
     normaliser
-        For "published": "absolute" is the mean magnitude of the measured values. "signed" is the magnitude of their
-        mean, as the equation is printed; it vanishes for azimuth and sidespin of players who miss on both sides.
+        For "published": "absolute" is the mean magnitude of the measured values; "signed" is the magnitude of their
+        mean, as the equation is printed, which vanishes for azimuth and sidespin of players who miss on both sides.
 
     Raises
     ------
     InputError
-        A normaliser is below the noise of its quantity, so that the mean says nothing about the size of the values.
+        A normaliser is below the noise of its quantity, so that the mean does not represent the size of the values.
     """
     check_choice("cost", kind, LOSSES)
     check_choice("normaliser", normaliser, NORMALISERS)
