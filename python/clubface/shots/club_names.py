@@ -1,4 +1,4 @@
-"""What a club is from the name that people and monitors give it: ``Dr``, ``3W``, ``Fer 7``, ``PW``, ``56``."""
+"""Recognising clubs by the names people and monitors give them: ``Dr``, ``3W``, ``Fer 7``, ``PW``, ``56``."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from itertools import pairwise
 from clubface.shots.tables.headings import by_word, vocabulary
 
 WEDGES = {"pitching": (40, 49), "gap": (48, 53), "sand": (52, 58), "lob": (57, 64)}
-"""Lofts in degrees by which wedges go, from and to; makers differ, so that the ranges overlap."""
+"""Range of lofts of each wedge in degrees; makers differ, so the ranges overlap."""
 WEDGE = "wedge"
 
 _CLUBS = vocabulary()["clubs"]
 _WEDGE_LETTERS = by_word(_CLUBS["letters"])
 _ALONE = {"d": "driver", **{each: kind for each, kind in _WEDGE_LETTERS.items() if each != "u"}}
-"""What a single letter is, as it is stamped on soles and as Rapsodo writes the driver."""
+"""Clubs named by a single letter, as stamped on soles, or as Rapsodo writes the driver."""
 _WHOLE, _FAMILIES, _SHORT = (by_word(_CLUBS[each]) for each in ("names", "families", "short"))
-"""Words of which one names the club, words that go with a number, and letters that do where they are all."""
+"""Words that alone name a club, words that need a number, and letters that do so if nothing else is there."""
 _NUMBERS = {"wood": range(1, 16), "hybrid": range(1, 10), "iron": range(1, 12)}
-"""The numbers that clubs of each family have."""
+"""Valid club numbers, by family."""
 _PASSED_OVER = frozenset(_CLUBS["passed_over"])
 _EASTERN = by_word(_CLUBS["eastern"])
 """Words in Japanese, Chinese and Korean, which are written without spaces."""
@@ -30,19 +30,19 @@ _COMPOUND = re.compile(
     r"(fairway|driving|pitching|sand|lob|gap|approach|attack|utility|vayla|[pgasul])"
     r"(wedge|wood|woods|holz|iron|eisen|hout|trae?|puu)"
 )
-"""Words that are written as one: ``Sandwedge``, ``Fairwayholz``, ``PWedge``."""
+"""Compound words: ``Sandwedge``, ``Fairwayholz``, ``PWedge``."""
 _PIECES = re.compile(r"[a-z]+|\d+(?:[.,]\d+)?")
 _LOFT = re.compile(r"(4[4-9]|5\d|6[0-4])(?:[.,]\d+)?")
-"""The loft of a wedge; what follows a point may be its bounce: ``56.10``."""
+"""The loft of a wedge; the digits after a point may be its bounce: ``56.10``."""
 
 
 @lru_cache(maxsize=4096)
 def club_kind(name: str) -> str | None:
-    """Return what a club is from its name, or None if the name does not say it.
+    """Return the kind of club from its name, or None if the name does not tell.
 
-    ``"driver"``, ``"3-wood"``, ``"4-hybrid"``, ``"7-iron"``, ``"pitching-wedge"``, ``"gap-wedge"``, ``"sand-wedge"``,
-    ``"lob-wedge"``, ``"putter"``; a wedge that goes by its loft is ``"56-wedge"``; ``"hybrid"`` is one without number.
-    A number that belongs to the name of a model (``ZX5``, ``AP2``, ``SM9``) is not that of a club.
+    Kinds are ``"driver"``, ``"3-wood"``, ``"4-hybrid"``, ``"7-iron"``, ``"pitching-wedge"``, ``"gap-wedge"``,
+    ``"sand-wedge"``, ``"lob-wedge"``, ``"putter"``, ``"56-wedge"`` for a wedge named by loft, and ``"hybrid"`` for one
+    without a number. Numbers in model names (``ZX5``, ``AP2``, ``SM9``) do not count.
     """
     words = _words(name)
     if len(words) == 1 and words[0] in _ALONE:
@@ -70,7 +70,7 @@ def club_kind(name: str) -> str | None:
 
 
 def is_club_name(text: str) -> bool:
-    """Return whether a text is the name of a club and nothing else, in words and not in a lone letter or number."""
+    """Return whether a text is a club name and nothing else; a single letter or a number is not enough."""
     if len(text.strip()) < 2 or not any(map(str.isalpha, text)) or club_kind(text) is None:
         return False
     return all(each in _KNOWN or each.replace(".", "").isdigit() for each in _words(text))
@@ -85,7 +85,7 @@ def same_club(one: str, other: str) -> bool:
 
 
 def may_be(one: str, other: str) -> bool:
-    """Return whether two kinds can be the same club: wedges by loft and by name, a hybrid without number."""
+    """Return whether two kinds may be one club, such as a wedge by loft and by name, or a hybrid without number."""
     if one == other:
         return True
     families = one.rpartition("-")[2], other.rpartition("-")[2]
@@ -98,15 +98,15 @@ def may_be(one: str, other: str) -> bool:
 
 
 def _lofts(kind: str) -> tuple[str | int, int, int]:
-    """Return by what a wedge goes, its loft or its name, and the lofts that it can have [deg]."""
+    """Return a wedge's loft or name, and the range of its loft [deg]."""
     name = kind.partition("-")[0]
     return (int(name), int(name), int(name)) if name.isdigit() else (name, *WEDGES[name])
 
 
 def _words(name: str) -> list[str]:
-    """Return words and numbers in lower case without accents: ``PitchingWedge``, ``7er Eisen`` and ``5h`` are two each.
+    """Return words and numbers in lower case without accents: two each for ``PitchingWedge``, ``7er Eisen``, ``5h``.
 
-    A number behind letters that name no club, as in ``ZX5``, is left out with them.
+    Letters that name no club are left out along with a number after them, as in ``ZX5``.
     """
     text = unicodedata.normalize("NFKC", name.replace("º", "°")).translate(_NUMERALS)
     text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", _EASTERN_WORDS.sub(lambda match: f" {_EASTERN[match[0]]} ", text))

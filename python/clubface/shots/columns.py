@@ -1,4 +1,4 @@
-"""From a header and its row of units to the columns that are used."""
+"""Choosing the columns to use from a header and its row of units."""
 
 from __future__ import annotations
 
@@ -30,33 +30,35 @@ from clubface.units import DIMENSIONLESS
 
 _COLUMNS = vocabulary()["columns"]
 NOT_MEASURED = frozenset({*_COLUMNS["numbering"], *_COLUMNS["not_measured"]})
-"""Headings of columns of numbers that are no measurements."""
+"""Headings of numeric columns that are not measurements."""
 UNSIGNED = frozenset(_COLUMNS["unsigned"])
-"""Headings of impact points that do not say whether the toe or the heel is positive."""
+"""Headings of impact points that leave open whether toe or heel is positive."""
 WITHOUT_UNIT = 10_000
-"""What a heading without a unit ranks behind one with a unit."""
+"""Rank penalty of a heading without a unit."""
 _WORD = re.compile(r"[^\W\d_]|[°%]")
-"""A unit has one; a number or a dash, which stands for nothing measured, has none."""
+"""A letter or symbol, as in any unit; a number, or a dash for nothing measured, has none."""
 
 
 class Columns(NamedTuple):
-    """The columns of a table, by their places."""
+    """The columns of a table, by position."""
 
-    width: int  # how many there are
-    needed: int  # how many of them a row must have: those without a heading at the end may be lacking
-    first: int  # the first that is used
-    used: Mapping[str, tuple[FileColumn, ...]]  # of each quantity: several where a heading is there more than once
+    width: int  # number of columns
+    needed: int  # number of cells a row must have: trailing columns without a heading may be absent
+    first: int  # the first column used
+    used: Mapping[str, tuple[FileColumn, ...]]  # by quantity; several if a heading occurs more than once
     texts: Mapping[str, tuple[int, ...]]  # "club" (the preferred first), "player", "hand", "date", "file"
-    points: Mapping[str, int]  # those that say where on the club its data was taken
-    labels: Mapping[int, str]  # texts in which a row may say that it sums up others: "club", "player", or the heading
-    others: tuple[int, ...]  # those that give none of all this, but for those that number the shots
-    counted: tuple[int, ...]  # those whose values a note counts
-    unused: tuple[str, ...]  # headings that would give a quantity but for what is in their brackets, which is no unit
-    remarks: tuple[Note, ...]  # further remarks on the columns
+    points: Mapping[str, int]  # columns that give the point on the club where its data was taken
+    labels: Mapping[
+        int, str
+    ]  # text columns in which a summary row may identify itself: "club", "player", or the heading
+    others: tuple[int, ...]  # all remaining columns, except shot numbers
+    counted: tuple[int, ...]  # columns whose values are counted in a note
+    unused: tuple[str, ...]  # headings that would give a quantity if their brackets held a unit
+    remarks: tuple[Note, ...]  # other remarks on the columns
 
 
 def is_units_row(cells: Sequence[str]) -> bool:
-    """Return whether a row holds nothing but units, usually in brackets."""
+    """Return whether a row contains only units, usually in brackets."""
     named = [cell.strip() for cell in cells if cell.strip()]
     bracketed = [cell for cell in named if cell[0] in "[(" and cell[-1] in "])"]
     known = [cell for cell in named if cell in ("[]", "()") or (_WORD.search(cell) and unit_symbol(cell) is not None)]
@@ -74,13 +76,13 @@ def columns_of(
 ) -> Columns:
     """Return the columns of a header that a layout uses.
 
-    ``units`` gives the units, by quantity or dimension, for columns where the file names none: neither the heading, nor
-    a row of units, nor the first of the cells in ``rows`` that has one.
+    ``units`` gives units, by quantity or dimension, for columns without one in the heading, in a row of units, or in
+    the cells of ``rows``.
 
     Raises
     ------
     FileError
-        No column is of the layout, a unit does not fit, or columns have none, all of which are named.
+        No column belongs to the layout, a unit does not fit, or units are missing (the error names all such columns).
     """
     heads = [layout.by_unit(layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
     with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}
@@ -109,7 +111,7 @@ def columns_of(
         is_assumed = symbol is None and not layout.needs_units and dimension in ("speed", "length")
         symbol = symbol or field.unit
         if symbol is None:
-            if quantity in layout.fields:  # of other columns the maker does not say the unit
+            if quantity in layout.fields:  # other columns have no documented unit
                 without_unit.append((shown, quantity))
             continue
         side = side_of(quantity, each.positive if each.positive in SIDES.get(quantity, {}) else field.positive)
@@ -158,9 +160,9 @@ def columns_of(
 
 
 def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
-    """Return whether a heading means what it is called in clubface, as everything that is written as clubface does.
+    """Return whether a heading has clubface's meaning, as any heading in clubface's own style has.
 
-    In the tables of others "Speed" may be that of club or ball, and "Roll" is what the ball does on the ground.
+    Elsewhere "Speed" may be club or ball speed, and "Roll" is what the ball does on the ground.
     """
     is_general = layout.all_columns or name not in layout.own_names
     if not is_general or (shown == shown.lower() and "(" not in shown):
@@ -169,17 +171,17 @@ def _is_clear(layout: Format, name: str, quantity: str, shown: str) -> bool:
 
 
 def _written(units_row: Sequence[str] | None, place: int) -> str | None:
-    """Return the unit that a row of units has for a column, or None."""
+    """Return a column's unit in the row of units, or None."""
     return (units_row[place].strip().strip("[]()").strip() or None) if units_row and place < len(units_row) else None
 
 
 def _places(known: Sequence[str], names: Sequence[str]) -> tuple[int, ...]:
-    """Return where among the names of columns, without spaces, those of some headings are, in their order."""
+    """Return the positions of known headings among column names without spaces, in the order of the headings."""
     return tuple(dict.fromkeys(names.index(each) for each in map(squeezed, map(plain, known)) if each in names))
 
 
 def _clubs_by_cells(rows: Iterable[Sequence[str]], places: Iterable[int]) -> tuple[int, ...]:
-    """Return the place of the column whose cells are names of clubs, whatever its heading, where there is one."""
+    """Return the position of a column whose cells are club names, whatever its heading; empty if there is none."""
     for place in sorted(places):
         texts = [text for row in rows if place < len(row) and (text := row[place].strip())]
         named = [each for each in texts if is_club_name(each)]
@@ -189,9 +191,9 @@ def _clubs_by_cells(rows: Iterable[Sequence[str]], places: Iterable[int]) -> tup
 
 
 def _preferred(layout: Format, heads: Sequence[HeadingParts], with_unit: Collection[str]) -> set[str]:
-    """Return the headings that are used: of each quantity the preferred one, or all where the layout prefers none.
+    """Return the headings to use: the preferred one for each quantity, or all if the layout reads all columns.
 
-    One that names a unit, where others of the quantity name none, comes before them.
+    A heading with a unit has priority over headings of the same quantity without one.
     """
     known: dict[str, tuple[str, int]] = {}
     for each in heads:
@@ -202,6 +204,6 @@ def _preferred(layout: Format, heads: Sequence[HeadingParts], with_unit: Collect
     best: dict[str, int] = {}
     for quantity, rank in known.values():
         best[quantity] = min(rank, best.get(quantity, rank))
-    if layout.all_columns:  # of nearly the same, the best
+    if layout.all_columns:  # second-choice headings only if there is no other
         return {name for name, (quantity, rank) in known.items() if rank // COMMON == best[quantity] // COMMON}
     return {name for name, (quantity, rank) in known.items() if rank == best[quantity]}

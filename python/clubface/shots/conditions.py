@@ -1,8 +1,8 @@
-"""Conditions that choose shots: ``smash > 1.3 and club == '7i'``, ``abs(face - path) < 2 deg``.
+"""Conditions that select shots: ``smash > 1.3 and club == '7i'``, ``abs(face - path) < 2 deg``.
 
-A condition is an expression of Python's grammar, of which only comparisons, ``and``, ``or``, ``not``, ``in``, the four
-operations and ``abs`` are known: nothing of it is ever run as a program. A number may have a unit behind it. A shot in
-which something was not measured on which the condition turns is neither chosen nor its opposite.
+A condition uses Python's grammar, restricted to comparisons, ``and``, ``or``, ``not``, ``in``, the four arithmetic
+operations and ``abs``; it is never executed as code. A number may be followed by a unit. If a value that decides the
+condition was not measured, the shot matches neither the condition nor its negation.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from clubface.shots.tables.headings import HAND, shot_words, unit_symbol
 from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
 
 LONGEST = 1000
-"""Characters of a condition."""
+"""Maximum number of characters in a condition."""
 EXAMPLE = 'as in "smash > 1.3 and club == \'7i\'" or "ball_speed > 150 mph"'
 CLUB, PLAYER, ROW, SMASH = "club", "player", "row", "smash"
 
@@ -42,14 +42,14 @@ _OPPOSITES = (ast.NotEq, ast.NotIn)
 
 
 class Match(NamedTuple):
-    """The shots that a condition chooses."""
+    """The shots that match a condition."""
 
-    mask: NDArray[np.bool_]  # those for which it is true
-    undecided: int  # how many it neither chooses nor rules out, because something was not measured
+    mask: NDArray[np.bool_]  # shots for which it is true
+    undecided: int  # number of shots it cannot decide, because something was not measured
 
 
 class _Number(NamedTuple):
-    """Numbers of one dimension [SI], or pure numbers (None); NaN is not measured."""
+    """Numbers of one dimension [SI], or pure numbers (None); NaN means not measured."""
 
     values: Any
     dimension: str | None = None
@@ -57,21 +57,21 @@ class _Number(NamedTuple):
 
 
 class _Text(NamedTuple):
-    """The texts of a column, and when two of them are the same; or the one text that was typed, without ``same``."""
+    """The texts of a column with the comparison ``same``, or a single typed text without ``same``."""
 
     values: Any
     same: Callable[[str, str], bool] | None = None
 
 
 class _Truth(NamedTuple):
-    """For which shots something is true, and for which it is false; for those of neither it is not known."""
+    """Shots for which something is true, and shots for which it is false; for all others it is unknown."""
 
     true: Any
     false: Any
 
 
 def match_shots(shots: RecordedShots, condition: str) -> Match:
-    """Return which shots fulfil a condition.
+    """Return which shots match a condition.
 
     Parameters
     ----------
@@ -79,15 +79,15 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
         The shots.
     condition
         Quantities of a delivery or launch by the names of :class:`RecordedShots` or as headings with a unit
-        (``ball_speed_mph``, a number in that unit), ``club``, ``player``, ``hand`` and ``row``; numbers with
-        units; texts in quotation marks. A club is known by every name that people give it: ``'7i'`` is "7 Iron" too.
+        (``ball_speed_mph``, a number in that unit), ``club``, ``player``, ``hand`` and ``row``; numbers with units;
+        texts in quotation marks. Clubs match under any common name: ``'7i'`` is "7 Iron" too.
 
     Raises
     ------
     InputError
-        The condition is none, or compares what cannot be compared.
+        The condition is invalid, or compares values that cannot be compared.
     UnknownNameError
-        A name is none of a quantity, or one that was not measured.
+        A name is not a quantity, or was not measured.
     """
     if len(condition) > LONGEST:
         raise InputError("where", condition[:40] + "...", f"a condition of at most {LONGEST} characters")
@@ -110,7 +110,7 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
 
 
 def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots, NDArray[np.intp]]:
-    """Return the shots that fulfil a condition, with a note that counts them, and their places; there must be one."""
+    """Return the shots that match a condition, with a note, and their places; raise an error if there are none."""
     mask, undecided = match_shots(shots, condition)
     if not mask.any():
         remark = f"; {undecided} lack something on which it turns" if undecided else ""
@@ -122,7 +122,7 @@ def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots,
 
 
 def _named(match: re.Match[str], given: dict[str, _Number]) -> str:
-    """Put a name in the place of a number with a unit, and the value under that name."""
+    """Replace a number with a unit by a name, and store its value under that name."""
     symbol = unit_symbol(match["unit"])
     if symbol is None:
         return match[0]
@@ -146,7 +146,7 @@ class _Reader:
             self._measured[SMASH] = self._measured["ball_speed"] / self._measured["speed"]
 
     def value(self, node: ast.expr) -> _Number | _Text | _Truth:
-        """Return what a part of the condition stands for."""
+        """Return the value of a part of the condition."""
         match node:
             case ast.BoolOp():
                 return self._joined(node.op, [self._truth(each) for each in node.values])
@@ -212,7 +212,7 @@ class _Reader:
         raise self._error(f"{shown} cannot be combined so")
 
     def _common(self, left: _Number, right: _Number) -> str | None:
-        """Return the dimension that two numbers share; 0 is 0 in every unit."""
+        """Return the common dimension of two numbers; 0 has any unit."""
         if left.dimension == right.dimension or (np.ndim(right.values) == 0 and right.values == 0.0):
             return left.dimension
         if np.ndim(left.values) == 0 and left.values == 0.0:

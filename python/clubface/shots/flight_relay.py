@@ -1,13 +1,13 @@
-"""The Flight Relay Protocol 0.1 over a WebSocket: events of a shot, put together to one message.
+"""The Flight Relay Protocol 0.1 over a WebSocket: the events of a shot are combined into one message.
 
-The specification (github.com/flightrelay/spec) has texts such as "67.2mps" for speeds and lengths, angles in degrees
-and spins in rpm. Directions and sidespin are positive to the right for either hand, the impact towards the toe and the
-crown. ``club_offset`` and ``club_height`` are of the head as it passes the ball, not of a point on the face, and are
-not read; nor are the swing plane and the speed after impact. What came of a shot is one shot as soon as the device says
-that it is finished, or when nothing more has come of it for some seconds, or the connection ends.
+The specification (github.com/flightrelay/spec) uses text such as "67.2mps" for speeds and lengths, angles in degrees
+and spins in rpm. Directions and sidespin are positive to the right for either hand, the impact point towards toe and
+crown. ``club_offset`` and ``club_height`` describe the head as it passes the ball, not a point on the face, and are not
+read; neither are swing plane and speed after impact. A shot is complete when the device says so, when no event has
+arrived for some seconds, or when the connection ends.
 
-clubface is the controller. Most devices and bridges listen, and clubface connects to them; some connect to who listens.
-A web page is refused, which any browser would otherwise let make up shots.
+clubface is the controller. It connects to devices and bridges that listen, as most do, and accepts connections from the
+others. Web pages are refused; otherwise any page open in a browser could send fake shots.
 """
 
 from __future__ import annotations
@@ -39,21 +39,21 @@ from clubface.support.sockets import LOOPBACK, listen_on
 from clubface.units import to_si
 
 TICK = 0.2
-"""Longest wait before the clock and the request to stop are looked at [s]."""
+"""Longest wait before checking the clock and the stop request [s]."""
 RETRY_AFTER = 2.0
-"""Time between two tries to reach a device [s]."""
+"""Time between two connection attempts [s]."""
 ANSWER_TIMEOUT = 10.0
-"""Time within which a device must answer the beginning [s]."""
+"""Time within which a device must answer the start message [s]."""
 Keep = Callable[[Message], object]
 Report = Callable[[str], object]
 
 PORT, PATH = 5880, "/frp"
-"""Where devices listen, unless their address says otherwise."""
+"""Default port and path of a device."""
 VERSION = "0.1.0"
 UNFINISHED = 5.0
-"""Time after which a shot that was not finished is taken as it is [s]."""
+"""Time after which an unfinished shot is taken as it is [s]."""
 MOST_OPEN = 32
-"""Shots of a connection that may be unfinished at a time; the oldest of more is taken as it is."""
+"""Maximum number of unfinished shots per connection; beyond it the oldest is taken as it is."""
 UNITS = {
     "mps": "m/s", "mph": "mph", "kph": "km/h", "fps": "ft/s", "m": "m", "yd": "yd", "ft": "ft", "in": "in", "mm": "mm",
     "cm": "cm",
@@ -80,19 +80,19 @@ CLUB = {
     "smash_factor": ("smash", "1"),
 }
 IMPACT = {"lateral": ("toe", "length"), "vertical": ("high", "length")}
-"""The quantity of each field, and its unit, or what a text with a unit is of."""
+"""Quantity of each field and its unit, or the dimension of a text with a unit."""
 PARTS = {"ball_flight": ("ball", BALL), "club_path": ("club", CLUB), "face_impact": ("impact", IMPACT)}
-"""The object and the fields of the events that hold values."""
+"""Object and fields of each kind of event that holds values."""
 OF_BALL = {quantity for quantity, _ in BALL.values()} | {"smash"}
 
 
 def critical_alert(reason: str) -> str:
-    """Return the message before a connection is closed."""
+    """Return the message sent before a connection is closed."""
     return json.dumps({"kind": "alert", "severity": "critical", "message": reason})
 
 
 def text_to_object(text: str | bytes) -> dict[str, Any] | None:
-    """Return the JSON object of a frame; None for anything else, which the protocol has ignored in silence."""
+    """Return the JSON object of a frame; None for anything else, which the protocol ignores."""
     if len(text) > LARGEST:
         return None
     try:
@@ -104,7 +104,7 @@ def text_to_object(text: str | bytes) -> dict[str, Any] | None:
 
 @dataclass
 class _Open:
-    """A shot of which more may come."""
+    """An unfinished shot."""
 
     device: str
     number: int
@@ -115,12 +115,12 @@ class _Open:
 
 
 class ShotCollector:
-    """Puts the events of a connection together to messages.
+    """Combines the events of a connection into messages.
 
     Attributes
     ----------
     has_begun
-        Whether the device has answered the beginning.
+        Whether the device has answered the start message.
     """
 
     def __init__(self) -> None:
@@ -128,7 +128,7 @@ class ShotCollector:
         self._open: dict[str, _Open] = {}
 
     def feed(self, data: Mapping[str, Any]) -> list[Message | MessageError]:
-        """Return the messages that an object completes: shots, states, and what cannot be used and why."""
+        """Return the messages an object completes: shots, states, and errors for what cannot be used."""
         if data.get("kind") == "init":
             self.has_begun = True
             return []
@@ -159,12 +159,12 @@ class ShotCollector:
         return finished + self._taken([*self._open][: max(len(self._open) - MOST_OPEN, 0)])
 
     def overdue(self, now: float | None = None) -> list[Message | MessageError]:
-        """Return the shots of which nothing more has come for some seconds."""
+        """Return the shots for which no event has arrived for some seconds."""
         limit = (time.monotonic() if now is None else now) - UNFINISHED
         return self._taken([identity for identity, each in self._open.items() if each.heard < limit])
 
     def rest(self) -> list[Message | MessageError]:
-        """Return all shots that are not finished, as the connection has ended."""
+        """Return all unfinished shots, since the connection has ended."""
         return self._taken([*self._open])
 
     def _shot(self, data: Mapping[str, Any], event: Mapping[str, Any]) -> _Open:
@@ -180,7 +180,7 @@ class ShotCollector:
         return shot
 
     def _taken(self, identities: list[str]) -> list[Message | MessageError]:
-        """Return shots with what has come of them, but for those of which that is nothing but their beginning."""
+        """Return the messages of shots, leaving out shots without any values."""
         result: list[Message | MessageError] = []
         for shot in map(self._open.pop, identities):
             if shot.values or shot.notes:
@@ -202,7 +202,7 @@ def _device(data: Mapping[str, Any]) -> str:
 
 
 def _read(shot: _Open, part: Any, name: str, fields: Mapping[str, tuple[str, str]]) -> None:
-    """Add the values of a part to a shot; a field that cannot be read costs that field, and a note says so."""
+    """Add the values of a part to a shot; leave out unreadable fields, with a note."""
     if not isinstance(part, Mapping):
         raise MessageError(f"{name} must be an object")
     plain = [each for each, (_, unit) in fields.items() if unit not in ("speed", "length")]
@@ -221,7 +221,7 @@ def _read(shot: _Open, part: Any, name: str, fields: Mapping[str, tuple[str, str
 
 
 def _tagged(text: Any, kind: str) -> float | None:
-    """Return a value such as "67.2mps" [SI]; None where it is none of its kind."""
+    """Return the value of a text such as "67.2mps" [SI]; None if it is not of this kind."""
     match = _TAGGED.fullmatch(text) if isinstance(text, str) and len(text) < 40 else None
     if match is None or match[2] not in UNITS or (match[2] in _SPEEDS) != (kind == "speed"):
         return None
@@ -230,14 +230,14 @@ def _tagged(text: Any, kind: str) -> float | None:
 
 
 class _Link:
-    """What both ways of connecting share."""
+    """Common part of both ways of connecting."""
 
     def __init__(self, keep: Keep, on_problem: Report, on_message: Keep) -> None:
         self._keep, self._report, self._on_message = keep, on_problem, on_message
         self._stopped = threading.Event()
 
     def _converse(self, socket: Any, name: str) -> None:
-        """Hear a device out until the connection or the link ends."""
+        """Receive a device's messages until the connection or the link ends."""
         from websockets.exceptions import ConnectionClosed
 
         collector, not_taken, waited = ShotCollector(), ValuesNotTaken(), 0.0
@@ -274,16 +274,16 @@ class _Link:
 
 
 class FlightRelayListener(_Link):
-    """Listens for devices that open the connection, on this machine.
+    """Accepts connections from devices, on this machine.
 
     Parameters
     ----------
     port
-        The port. 0 takes a free one, which is then the attribute ``port``.
+        The port; 0 picks a free one, given by the attribute ``port``.
     keep
-        Called with every shot, before ``on_message``, which is called with every message; both on threads.
+        Called with every shot, before ``on_message``, which is called with every message; both on other threads.
     on_problem
-        Called with a sentence for what cannot be used, and when a device connects or leaves.
+        Called with a sentence for every unusable message, and when a device connects or leaves.
 
     Raises
     ------
@@ -299,7 +299,7 @@ class FlightRelayListener(_Link):
         listening = listen_on(port, waiting=MOST_CLIENTS)
         self.port: int = listening.getsockname()[1]
         self.address = f"{LOOPBACK}:{self.port}"
-        # Browsers name the page that connects as the origin; monitors name none.
+        # Browsers send the page's origin; monitors send none.
         self._server = serve(self._serve, sock=listening, origins=[None], max_size=LARGEST, compression=None)
         threading.Thread(target=self._server.serve_forever, name="flight-relay", daemon=True).start()
 
@@ -323,14 +323,14 @@ class FlightRelayListener(_Link):
 
 
 class FlightRelayClient(_Link):
-    """Connects to a device or a bridge, again and again until it is there, on a thread of its own.
+    """Connects to a device or a bridge on its own thread, retrying until it is there.
 
     Parameters
     ----------
     address
-        As in ``ws://localhost:5880/frp``; the path may be left out.
+        Address such as ``ws://localhost:5880/frp``; the path may be left out.
     keep, on_problem, on_message
-        As of :class:`FlightRelayListener`.
+        As for :class:`FlightRelayListener`.
     """
 
     def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
@@ -372,7 +372,7 @@ class FlightRelayClient(_Link):
 
 
 def _whole_address(address: str) -> str:
-    """Return the address of a device, with the usual path where it has none."""
+    """Return the address of a device, with the default path if it has none."""
     from websockets.exceptions import InvalidURI
     from websockets.uri import parse_uri
 

@@ -59,14 +59,15 @@ from clubface.units import DIMENSIONLESS, unit
 __all__ = ["Field", "Format", "Mapped", "MappingFile", "dimension_of", "mapping_of", "side_of"]
 
 CG, FACE, CONTACT, UNKNOWN = "cg", "face", "contact", "unknown"
-"""Where a monitor takes the motion of the club (CG, FACE or UNKNOWN) and its face angles (FACE, CONTACT or UNKNOWN)."""
+"""Points where monitors measure the club's motion (CG, FACE or UNKNOWN) and face angles (FACE, CONTACT or UNKNOWN)."""
 _COLUMNS = vocabulary()["columns"]
 CLUB, PLAYER, DATE, HAND_HEADINGS = (tuple(_COLUMNS[each]) for each in ("club", "player", "date", "hand"))
-"""Headings under which exports name the club and the player, and say when and with which hand a shot was hit."""
+"""Headings used in exports for the club, the player, the date and the hand."""
 MEASURED = frozenset({*DELIVERY_QUANTITIES, *LAUNCH_QUANTITIES, FACE_TO_PATH} - {HAND})
-"""Quantities that monitors measure; the others, as "roll", are properties of club and ball, and other things there."""
+"""Quantities that monitors measure; others, such as "roll", are club or ball properties that mean other things
+there."""
 TO_PATH = ("face_to_path", "ftp", "club_face_to_path", "face_to_path_angle", "face_path")
-"""Names of the angle from the path to the face."""
+"""Names of the face-to-path angle."""
 BY_UNIT = {
     "side": {"angular rate": "sidespin", "angle": "azimuth"},
     "back": {"angular rate": "backspin"},
@@ -75,7 +76,7 @@ BY_UNIT = {
     "flight": {"time": "flight_time"},
     "dscnt": {"angle": "landing_angle"},
 }
-"""Short headings, as of SkyTrak, that their unit explains: the name of the quantity by its dimension."""
+"""Short headings, as in SkyTrak files, whose unit tells the quantity: its name by dimension."""
 
 
 class Field:
@@ -100,7 +101,7 @@ class Field:
 
 
 COMMON = 100
-"""The rank from which the headings of the vocabulary of all tables count."""
+"""Rank offset of headings from the common vocabulary."""
 COMMON_FIELD = Field()
 
 
@@ -111,7 +112,7 @@ def dimension_of(quantity: str) -> str:
 
 @cache
 def common_names() -> Mapping[str, tuple[str, int]]:
-    """Return the quantity that each heading of the vocabulary of all tables gives, and its rank."""
+    """Return the quantity and rank of each heading in the common vocabulary."""
     result: dict[str, tuple[str, int]] = {}
     counts: Counter[str] = Counter()
     for name, quantity in (*shot_words().names.items(), *dict.fromkeys(TO_PATH, FACE_TO_PATH).items()):
@@ -128,35 +129,35 @@ class Format:
     Attributes
     ----------
     name
-        Its name in ``format=`` and on the command line.
+        Name in ``format=`` and on the command line.
     title
-        The monitor and program, for people.
+        Readable name of the monitor and program.
     fields
         The columns of each quantity, by name.
     marks
-        Groups of headings by which the layout is recognised: its header contains all headings of at least one group.
+        Groups of headings that identify the layout: the header contains all headings of at least one group.
     club, player, hand
-        Headings of the column that names the club, that names the player, and that says right or left.
+        Headings of the columns with the club's name, the player's name, and the hand.
     date, file
-        Headings of the column that says when a shot was hit, and of the one that names the file that it comes from.
+        Headings of the columns with the date of a shot, and with the name of the file it comes from.
     title_of_player
-        A regular expression for the first cell of a row above the header that names the player of all shots below, as
-        its group; "" where no row does.
+        Regular expression for the first cell of a row above the header, whose group is the player of all shots below;
+        "" if there is no such row.
     needs_units
-        Whether the units of its columns, where the file names none, are those of a mapping or given, and not those
-        that the maker's program has when it is installed: the latter are said to be assumed.
+        Whether units missing in the file must come from a mapping or the user. Otherwise the default units of the
+        maker's program are used, and reported as assumed.
     only_own
-        Whether its columns are those listed alone, and not those that the vocabulary of all tables names besides.
+        Whether only the listed columns are used, without those of the common vocabulary.
     all_columns
-        Whether all columns of a quantity are read, and must agree, instead of those of the preferred heading.
+        Whether all columns of a quantity are read, and must agree, instead of only the preferred one.
     speed_at
         Where speed, attack angle and path are measured: "cg", "face" or "unknown".
     face_at
         Where dynamic loft and face angle are measured: "face" (its centre), "contact" or "unknown".
     counted
-        Headings of columns whose values a note counts, such as whether spin was measured or estimated.
+        Headings of columns whose values are counted in a note, such as whether spin was measured or estimated.
     notes
-        Codes of notes by the names of quantities, for shots in which these were measured.
+        Codes of notes by quantity, added if the quantity was measured.
     source
         Where the layout is documented.
     """
@@ -182,7 +183,7 @@ class Format:
 
     @cached_property
     def own_names(self) -> Mapping[str, tuple[str, int]]:
-        """The quantity that each heading of the layout, in plain words, gives, and its rank among those of it."""
+        """Quantity and rank of each of the layout's own headings, in plain words."""
         return {
             each: (quantity, rank + COMMON * (self.all_columns and plain_name(each) in SECOND_CHOICE))
             for quantity, columns in self.fields.items()
@@ -191,12 +192,12 @@ class Format:
 
     @cached_property
     def names(self) -> Mapping[str, tuple[str, int]]:
-        """The same with the headings that the vocabulary of all tables has besides, which rank behind its own."""
+        """The same, extended by the common vocabulary, which ranks behind the layout's own headings."""
         known = {each: (quantity, rank + COMMON) for each, (quantity, rank) in common_names().items()}
         return self.own_names if self.only_own else {**known, **self.own_names}
 
     def field(self, quantity: str) -> Field:
-        """Return how the layout writes a quantity; one that it does not know has no unit of its own."""
+        """Return the layout's columns for a quantity; for an unknown one, columns without a default unit."""
         return self.fields.get(quantity) or COMMON_FIELD
 
     @cached_property
@@ -204,14 +205,14 @@ class Format:
         return [{squeezed(plain(each)) for each in group} for group in self.marks]
 
     def is_marked(self, names: set[str]) -> bool:
-        """Return whether these headings in plain words are all of at least one group of marks."""
+        """Return whether these headings, in plain words, include all of at least one group of marks."""
         unparted = {squeezed(each) for each in names}
         return any(group <= unparted for group in self._marks)
 
     def is_header(self, cells: Sequence[str]) -> bool:
-        """Return whether a row names the columns of such a file.
+        """Return whether a row is a header of this layout.
 
-        A layout without marks is known by any of its columns, in a row without a number.
+        A layout without marks is recognised by any of its columns, in a row without numbers.
         """
         names = {self.heading(each).name for each in cells}
         if self.marks:
@@ -219,16 +220,16 @@ class Format:
         return bool(self.known(names)) and not any(map(is_number, cells))
 
     def known(self, names: set[str]) -> int:
-        """Return how many of these headings in plain words are those of a quantity."""
+        """Return how many of these headings, in plain words, give a quantity."""
         return len(names & self.names.keys())
 
     def heading(self, text: str) -> HeadingParts:
-        """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``."""
+        """Return the parts of a heading; its unit may follow without brackets, as in ``club_speed_mph``."""
         parts = self._headings.parts(text)
         return self.by_unit(parts, parts.unit)
 
     def by_unit(self, head: HeadingParts, written: str | None) -> HeadingParts:
-        """Return the heading that a short one such as "side" stands for, given its unit as written."""
+        """Return the full heading for a short one such as "side", given its unit as written."""
         is_own = head.name in self.own_names and not self.all_columns
         if written is None or head.name not in BY_UNIT or is_own or self.only_own:
             return head
@@ -242,7 +243,7 @@ class Format:
 
 
 def side_of(quantity: str, positive: str | None) -> Side:
-    """Return the sign of a number without a side, and whether it is in world or club terms, from the positive side."""
+    """Return the sign and frame (world or club) of a number without a side, from the name of the positive side."""
     if positive is None:
         return Side(1.0, SIDES["azimuth"]["right"].frame)
     return SIDES[quantity][plain(positive)]
@@ -252,8 +253,8 @@ class Mapped(NamedTuple):
     """The content of a mapping file."""
 
     layout: Format  # the columns
-    delimiter: str | None  # the character between cells, where it is said
-    decimal_comma: bool | None  # whether numbers are written with a decimal comma, where it is said
+    delimiter: str | None  # the character between cells, if given
+    decimal_comma: bool | None  # whether numbers are written with a decimal comma, if given
 
 
 def _made_column(name: str, values: dict[str, Any], place: Place) -> tuple[Field, bool]:
@@ -274,7 +275,7 @@ def _made_column(name: str, values: dict[str, Any], place: Place) -> tuple[Field
 
 
 def _columns() -> dict[str, Record]:
-    """Return the kind of a column by quantity."""
+    """Return the schema of a column, by quantity."""
     names = [*(name for name in shot_words().dimensions if name != HAND), FACE_TO_PATH]
     keys = {"heading": TEXT, "unit": TEXT, "positive": TEXT, "optional": FLAG}
     return {name: Record(keys, ("heading",), make=partial(_made_column, name)) for name in names}
@@ -282,7 +283,7 @@ def _columns() -> dict[str, Record]:
 
 @dataclass(frozen=True, kw_only=True)
 class MappingFile:
-    """A mapping file: the columns of a CSV file of any program."""
+    """A mapping file: the columns of a CSV file from any program."""
 
     name: str | None = file_key(TEXT, "name of the format", default=None)
     delimiter: str | None = file_key(
@@ -307,7 +308,7 @@ class MappingFile:
 
 
 def mapping_of(path: str | os.PathLike[str]) -> Mapped:
-    """Read a mapping file; an unknown key, quantity, unit or word is an error that names its line."""
+    """Read a mapping file; raise an error with the line of an unknown key, quantity, unit or word."""
     document = Document.read(path)
     file = decode(MappingFile, document)
     layout = Format(

@@ -1,8 +1,8 @@
-"""Live shots: each is on the disk before anyone sees it, and a killed server goes on with all of them.
+"""Live shots: each is written to disk before it is shown, so that a killed server resumes with all of them.
 
-A file of live shots has one JSON object a line: a shot as it came, in SI, or what the player chose for those that
-follow, such as the club. A line that was cut off by the end of a process was never acknowledged; the next process takes
-it away, and nothing else.
+A file of live shots has one JSON object per line: a shot as received, in SI units, or the player's choice of club and
+hand for the following shots. A line cut off when a process died was never acknowledged; the next process removes it and
+nothing else.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ from clubface.support.checks import check_choice, check_names
 from clubface.support.files import unreadable, unwritable
 
 DELIVERY = tuple(name for name in inputs() if name != HAND)
-"""What a monitor may measure of the club."""
+"""Club quantities a monitor may measure."""
 LARGEST = 200_000_000
-"""Bytes of a file of live shots: some hundred thousand shots."""
+"""Maximum size of a file of live shots [bytes], some hundred thousand shots."""
 
 
 class Player(NamedTuple):
-    """What the player chose: a built-in club and a hand, of which the monitor says nothing."""
+    """The player's choice of built-in club and hand, which monitors do not report."""
 
     club: str = "driver"
     hand: str = "right"
@@ -49,20 +49,20 @@ class Player(NamedTuple):
 class LiveShot(NamedTuple):
     """A shot that a monitor sent."""
 
-    number: int  # its place among all shots of the file, from 1
-    received: str  # when it came, ISO text in UTC
-    protocol: str  # what it came over
-    player: Player  # the club and the hand that were chosen then
+    number: int  # position in the file, from 1
+    received: str  # time received, ISO text in UTC
+    protocol: str  # protocol of the message
+    player: Player  # the club and hand chosen at the time
     message: Message  # what the monitor sent
 
 
 class LiveShots:
-    """The shots of a file, to which more come while monitors are listened to; it is made where there is none.
+    """The shots of a file, to which live shots are added; the file is created if it does not exist.
 
     Raises
     ------
     FileError
-        Another process writes it, it cannot be written, or it is no file of live shots.
+        Another process is writing it, it cannot be written, or it is not a file of live shots.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -85,21 +85,21 @@ class LiveShots:
 
     @property
     def shots(self) -> Sequence[LiveShot]:
-        """All shots, in the order in which they came."""
+        """All shots, in the order received."""
         return self.since(0)
 
     def since(self, number: int) -> Sequence[LiveShot]:
-        """Return the shots after one of a number."""
+        """Return the shots after the one with this number."""
         with self._changed:
             return tuple(self._shots[max(number, 0) :])
 
     @property
     def player(self) -> Player:
-        """What the player has chosen for the shots to come."""
+        """The player's current choice, for the next shots."""
         return self._player
 
     def choose(self, club: str, hand: str) -> None:
-        """Take another club or hand for the shots to come."""
+        """Choose club and hand for the next shots."""
         check_choice("club", club, CLUB_NAMES)
         check_choice("hand", hand, HANDS)
         with self._changed:
@@ -108,12 +108,12 @@ class LiveShots:
         self._notify()
 
     def keep(self, message: Message, protocol: str) -> LiveShot | None:
-        """Bring a shot to the disk, and then let all know of it; return None for one that was sent before.
+        """Write a shot to disk, then notify all listeners; return None for one that was sent before.
 
         Raises
         ------
         FileError
-            It cannot be written; the shot is then not among those that are shown.
+            It cannot be written; the shot is then not shown.
         """
         with self._changed:
             if self._is_known(message, protocol):
@@ -126,7 +126,7 @@ class LiveShots:
         return shot
 
     def subscribe(self, listener: Callable[[], object]) -> Callable[[], None]:
-        """Call a function after every change, on whichever thread made it; return what ends that."""
+        """Call a function after every change, on the thread that made it; return a function that unsubscribes."""
         with self._changed:
             self._listeners.append(listener)
 
@@ -138,7 +138,7 @@ class LiveShots:
         return end
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file and release its lock."""
         os.close(self._file)
         self._lock.close()
 
@@ -152,7 +152,7 @@ class LiveShots:
             self._identities.add(shot.message.identity)
 
     def _is_known(self, message: Message, protocol: str) -> bool:
-        """Whether a monitor sends a shot again, as of one whose acknowledgement was lost."""
+        """Return whether a monitor is resending a shot, as after a lost acknowledgement."""
         if message.identity:
             return message.identity in self._identities
         if message.shot_number == 0:
@@ -175,7 +175,7 @@ class LiveShots:
             raise unwritable(self.path, error) from None
 
     def _read(self) -> list[int]:
-        """Read what is there, and return the lines that are damaged, from 1; they stay in the file."""
+        """Read the file and return the numbers of damaged lines, from 1; they stay in the file."""
         try:
             with open(self.path, "rb") as file:
                 content = file.read(LARGEST + 1)
@@ -216,7 +216,7 @@ class LiveShots:
             notes=tuple(Note(str(code), dict(data)) for code, data in record["notes"]),
         )  # fmt: skip
         for each in message.notes:
-            str(each)  # one without its sentence is damaged
+            str(each)  # a note whose sentence cannot be made is damaged
         self._player = player
         self._add(LiveShot(len(self._shots) + 1, str(record["received"]), record["protocol"], player, message))
 
@@ -240,7 +240,7 @@ def _numbers(values: Mapping[str, Any], known: Collection[str]) -> dict[str, flo
 
 
 def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
-    """Return live shots as recorded ones; there must be one at least."""
+    """Return live shots, at least one, as recorded shots."""
     texts = {
         "clubs": [each.player.club for each in shots],
         "hand": [each.player.hand for each in shots],
@@ -256,5 +256,5 @@ def live_shots(shots: Sequence[LiveShot]) -> RecordedShots:
 
 
 def live_result(shots: Sequence[LiveShot]) -> Result:
-    """Return successive live shots one by one, with what is computed of them."""
+    """Return successive live shots as a list, with computed values."""
     return shot_list_result(live_shots(shots), first=shots[0].number, title="Live shots")

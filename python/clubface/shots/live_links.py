@@ -1,4 +1,4 @@
-"""The connections of a live session: monitors of several protocols come in, and launches go out to simulators."""
+"""The connections of a live session: from monitors of several protocols, and to simulators."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from clubface.shots.shot_list import completed
 from clubface.support.sockets import LOOPBACK, check_port
 
 MOST_REMARKS = 50
-"""What is remembered of what happened on the connections."""
+"""Number of recent remarks kept."""
 WAIT = 0.2
-"""Longest wait before the request to stop is looked at [s]."""
+"""Longest wait before checking the stop request [s]."""
 DIALECTS = {each.name: each for each in (OPEN_CONNECT, OPENGOLFSIM)}
 SENDERS = {OPEN_CONNECT.name: Sender, OPENGOLFSIM.name: OpenGolfSimSender}
 
 
 class LinkState(NamedTuple):
-    """A connection: its protocol, where it is, and why it is not there, "" where it is."""
+    """A connection: protocol, address, and the problem, "" if it is up."""
 
     protocol: str
     address: str
@@ -36,21 +36,21 @@ class LinkState(NamedTuple):
 
 
 class LiveRemark(NamedTuple):
-    """What happened on a connection, and when, ISO text in UTC."""
+    """An event on a connection, with its time as ISO text in UTC."""
 
     at: str
     text: str
 
 
 class SimulatorAddress(NamedTuple):
-    """A simulator on this machine: its protocol and its port."""
+    """Protocol and port of a simulator on this machine."""
 
     protocol: str
     port: int
 
 
 def simulator_address(text: str) -> SimulatorAddress:
-    """Return the simulator that a text such as "open-connect:921" names; without a port, the usual one."""
+    """Return the simulator address from text such as "open-connect:921"; the port has a default."""
     protocol, _, port = text.partition(":")
     if protocol not in DIALECTS or (port and not (port.isascii() and port.isdecimal() and len(port) < 6)):
         raise InputError("simulator", text, " or ".join(f"{name}:{each.port}" for name, each in DIALECTS.items()))
@@ -60,18 +60,18 @@ def simulator_address(text: str) -> SimulatorAddress:
 
 
 class LiveLinks:
-    """The connections of a live session, each on a thread of its own.
+    """The connections of a live session, each on its own thread.
 
     Parameters
     ----------
     shots
-        Where shots are kept.
+        The store of shots.
     listen
-        The port to listen on by protocol, "open-connect" or "opengolfsim"; 0 takes a free one.
+        The port to listen on by protocol, "open-connect" or "opengolfsim"; 0 picks a free one.
     flight_relay
-        The address of a device of Flight Relay, or a port to listen on; None for neither.
+        The address of a Flight Relay device, or a port to listen on; None for neither.
     simulators
-        To whom every launch is sent, measured or computed from the club data.
+        Simulators to which every launch is sent, measured or computed from the club data.
     on_change
         Called when a remark has been added.
     """
@@ -103,7 +103,7 @@ class LiveLinks:
 
     @property
     def states(self) -> Sequence[LinkState]:
-        """The connections as they are now."""
+        """The current state of the connections."""
         waits = isinstance(self._relay, FlightRelayClient) and not self._relay.is_connected
         return [
             each._replace(problem=f"{each.address} is not there yet, and is tried again and again")
@@ -114,11 +114,11 @@ class LiveLinks:
 
     @property
     def remarks(self) -> Sequence[LiveRemark]:
-        """What happened last, the oldest first."""
+        """Recent remarks, the oldest first."""
         return tuple(self._remarks)
 
     def remark(self, text: str) -> None:
-        """Remember what happened."""
+        """Add a remark on an event."""
         self._remarks.append(LiveRemark(datetime.now(UTC).isoformat(timespec="seconds"), in_a_line(text)))
         self._on_change()
 
@@ -137,7 +137,7 @@ class LiveLinks:
             each.close()
 
     def _try(self, protocol: str, address: str, start: Callable[[], str]) -> None:
-        """Start one connection; that it cannot be made is no reason to do without the others."""
+        """Start one connection; record a failure without stopping the others."""
         try:
             self._states.append(LinkState(protocol, start(), ""))
         except LinkError as error:
@@ -159,7 +159,7 @@ class LiveLinks:
             try:
                 for message in listener.messages():
                     self._remark_ready(message)
-            except ClubfaceError as error:  # the shot could not be kept, as its monitor knows from the answer
+            except ClubfaceError as error:  # the shot could not be kept; the monitor has been told in the answer
                 self.remark(str(error))
 
     def _start_relay(self, where: str | int) -> str:
@@ -187,7 +187,7 @@ class LiveLinks:
 
 
 class _Simulator:
-    """Sends launches to a simulator, one after the other."""
+    """Sends launches to a simulator, one at a time."""
 
     def __init__(self, address: SimulatorAddress, remark: Callable[[str], object]) -> None:
         self.address, self._remark = address, remark
@@ -198,7 +198,7 @@ class _Simulator:
         self._thread.start()
 
     def put(self, shot: LiveShot) -> None:
-        """Send the launch of a shot, once those before it are sent."""
+        """Queue the launch of a shot for sending."""
         self._queue.put(shot)
 
     def close(self) -> None:
@@ -220,7 +220,7 @@ class _Simulator:
                 self._remark(f"shot {shot.number} was not sent to the simulator: {error}")
 
     def _sent(self, shot: LiveShot) -> str:
-        """Send a launch, over a new connection where the last one is lost; return what was sent to whom."""
+        """Send a launch, reconnecting if the connection was lost; return what was sent, in words."""
         every = completed(live_shots([shot]))
         launch = every.launch(0)
         how = "computed from the club data" if "ball_speed" in every.computed_at(0) else "as measured"
@@ -229,7 +229,7 @@ class _Simulator:
             self._send(launch, shot.message)
         except LinkError as error:
             self._leave()
-            if not was_connected or error.message.startswith(NO_ANSWER):  # it may have the shot
+            if not was_connected or error.message.startswith(NO_ANSWER):  # the simulator may have received the shot
                 raise
             self._send(launch, shot.message)
         return f"the launch, {how}, was sent to the simulator on port {self.address.port}"

@@ -1,16 +1,16 @@
-"""Whether a dynamic loft was measured, or computed by the monitor from the ball.
+"""Whether dynamic loft was measured, or computed by the monitor from ball data.
 
-Radar monitors see the ball better than the face. Some of them compute the dynamic loft, and the face angle with it,
-from ball speed, launch and spin: the ratio I w / (m R v_t) of the spin w to the speed v_t of the ball along the face is
-then one number in every shot (1.12 to 1.15 in TrackMan's sets). Spin that is fitted or judged with such lofts is that
-of the monitor's own model of impact.
+Radar monitors see the ball better than the face. Some compute dynamic loft and face angle from ball speed, launch and
+spin; the ratio I w / (m R v_t) of the spin w to the ball's speed v_t along the face is then the same in every shot
+(1.12 to 1.15 in TrackMan's sets). Fitting or testing a spin model with such lofts only recovers the monitor's own
+impact model.
 
-The shots decide, and not the name of the maker. For each shot the ball asks for an angle between face normal and
-direction of launch, arcsin(I w / (m R v ratio)), with one ratio for all shots of a club. Around it a computed angle
-scatters by the rounding of the file alone. A measured one scatters by far more: by the errors of the monitor (0.2
-degrees in the launch angle and some tenths in the loft), and because shots differ in what no ratio knows. The benchmark
-shots scatter by 1.1 degrees with the driver and 0.8 with the 7-iron. 7773 public drives with a TrackMan scatter by less
-than 0.001 degrees, and by 0.07 to 0.13 degrees where face angle and start direction are not looked at.
+The shots decide, not the brand. With one ratio for all shots of a club, the ball data imply an angle between face
+normal and launch direction of arcsin(I w / (m R v ratio)). Computed angles scatter about it only by the rounding in the
+file. Measured angles scatter far more, by monitor errors (0.2 degrees in launch angle, some tenths in loft) and by real
+differences between shots that no single ratio describes. The benchmark shots scatter by 1.1 degrees with the driver and
+0.8 with the 7-iron. 7773 public TrackMan drives scatter by less than 0.001 degrees, or by 0.07 to 0.13 degrees if face
+angle and start direction are ignored.
 """
 
 from __future__ import annotations
@@ -31,52 +31,52 @@ from clubface.simulation.spin import rolling_speed
 from clubface.support.arrays import Floats
 
 FEWEST = 5
-"""Fewest shots of a club from which the origin of its lofts is judged."""
+"""Minimum number of shots with a club for a decision."""
 MEASURED = units.to_si(0.3, "deg")
-"""Least standard deviation [rad] of an angle between a measured face and a measured launch, rounding apart."""
+"""Smallest standard deviation [rad] expected of a measured angle between face and launch, without rounding."""
 LIKELY = 0.99
-"""How sure the scatter must be below that of a measured angle, or above it."""
+"""Confidence with which the scatter must be below or above that of a measured angle."""
 EXPLAINED = 0.5
-"""Part of the variance of the angle that the spin must explain: shots all alike have one ratio in any case."""
+"""Share of the angle's variance that spin must explain, since similar shots share one ratio in any case."""
 RATIOS = (0.7, 1.5)
-"""Ratios that a model of impact can have; 0.85 to 1.3 over faces at first touch and at maximum compression."""
+"""Plausible range of the ratio; impact models give 0.85 to 1.3 with the face at first touch or maximum compression."""
 OUTLIER, KEPT = 4.0, 2.0 / 3.0
-"""Robust standard deviations beyond which a shot was misread, and the part of the shots that must not be."""
+"""Number of robust standard deviations that makes an outlier, and the share of shots that must not be outliers."""
 SHARPEST = MEASURED / 10.0
-"""Standard deviation [rad] below which none is taken for outliers: angles that agree so well agree."""
+"""Standard deviation [rad] below which no shots count as outliers."""
 STEPS = (1.0, 0.5, 0.1, 0.05, 0.01)
-"""Steps to which files round angles, in degrees."""
+"""Rounding steps of angles in files, in degrees."""
 SPIN_STEPS = (100.0, 50.0, 10.0, 1.0)
-"""Steps to which they round spins, in rpm."""
+"""Rounding steps of spins in files, in rpm."""
 
 COMPUTED, FROM_MEASUREMENT, UNDECIDED = ORIGINS = ("computed from the ball", "measured", "undecided")
-"""Origins of the lofts of a club."""
+"""Possible origins of a club's lofts."""
 
 _ball = cache(published_ball)
-"""The ball of the ratio, I = 0.400 m R^2: that of the ratios that are published."""
+"""Ball for the ratio, I = 0.400 m R^2, as used for published ratios."""
 
 
 class LoftOrigin(NamedTuple):
-    """Where the dynamic lofts of one club in one file come from.
+    """The origin of the dynamic lofts of one club in one file.
 
     Attributes
     ----------
     club, file
-        Names as in the file; "" where there is none.
+        Names as in the file, or "".
     shots
-        Number of shots with all that is needed.
+        Number of shots with all the data needed.
     origin
         One of ``ORIGINS``.
     with_face
-        Whether the face angle was looked at too, and is computed if the loft is.
+        Whether the face angle was used too; it then has the same origin as the loft.
     ratio
         I w / (m R v_t), the median over the shots, weighted by spin over speed.
     ratio_scatter
-        Its standard deviation from shot to shot, by the median of the deviations.
+        Its robust standard deviation from shot to shot, from the median deviation.
     scatter
-        Standard deviation of the angle between face normal and launch from that of the ratio [rad], outliers apart.
+        Standard deviation of the angle between face normal and launch about the implied angle [rad], without outliers.
     rounding
-        The part of it that the rounding of the file explains [rad].
+        The part of it explained by rounding in the file [rad].
     """
 
     club: str
@@ -91,7 +91,7 @@ class LoftOrigin(NamedTuple):
 
 
 def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
-    """Return where the dynamic lofts come from, club by club and file by file, of those with shots enough to say."""
+    """Return the origin of dynamic lofts by club and file, where there are enough shots to tell."""
     if "loft" not in shots.deliveries or not {"ball_speed", "launch"} <= shots.launches.keys():
         return ()
     clubs = np.full(len(shots), "", dtype=object) if shots.clubs is None else shots.clubs
@@ -100,19 +100,21 @@ def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
     for club, file in dict.fromkeys(zip(clubs, files, strict=True)):
         chosen = (clubs == club) & (files == file)
         both = [_angles(shots, chosen, with_face=each) for each in (True, False)]
-        if known := [each for each in both if each is not None]:  # with the face angle if that explains more
+        if known := [
+            each for each in both if each is not None
+        ]:  # prefer the analysis with the face angle unless the other is more decisive
             best = min(known, key=lambda each: (ORIGINS.index(each.origin), not each.with_face))
             origins.append(best._replace(club=str(club), file=str(file)))
     return tuple(origins)
 
 
 def computed(origins: Iterable[LoftOrigin]) -> list[LoftOrigin]:
-    """Return those whose loft was computed from the ball."""
+    """Return the origins whose loft was computed from the ball."""
     return [each for each in origins if each.origin == COMPUTED]
 
 
 def origin_notes(origins: Iterable[LoftOrigin]) -> list[Note]:
-    """Return a note on each club whose lofts were computed from the ball, and one on what to do about it."""
+    """Return a note on each club with lofts computed from the ball, and a final note with advice."""
     notes = [
         note("loft-and-face-computed" if each.with_face else "loft-computed", ratio=each.ratio,
              ratio_scatter=each.ratio_scatter, shots=each.shots, club=each.club or "one club")
@@ -123,7 +125,7 @@ def origin_notes(origins: Iterable[LoftOrigin]) -> list[Note]:
 
 
 def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool) -> LoftOrigin | None:
-    """Return the origin that the angles between face normal and launch show, in space or in the vertical plane."""
+    """Return the origin shown by angles between face normal and launch, in space or in the vertical plane."""
     names = ("face", "azimuth") if with_face else ()
     every = {**shots.deliveries, **shots.launches}
     spins = _spin(every, in_space=with_face)
@@ -137,20 +139,20 @@ def _angles(shots: RecordedShots, chosen: NDArray[np.bool_], *, with_face: bool)
     loft, launch, speed, *sides = (every[name][there] for name in used)
     face, azimuth = sides or (np.zeros_like(loft), np.zeros_like(loft))
     rolling = rolling_speed(_ball(), spins[there]) / speed
-    across, turn = _apart(loft, launch, face - azimuth)
+    across, turn = _separation(loft, launch, face - azimuth)
     steps = [_step(every[name][there], STEPS, "deg") for name in ("loft", "launch", *names)]
     upwards, sideways = np.mean(np.cos(turn) ** 2), np.mean(np.sin(turn) ** 2)
     variance = upwards * (steps[0] ** 2 + steps[1] ** 2) + sideways * sum(each**2 for each in steps[2:])
     spin_step = _step(spins[there], SPIN_STEPS, "rpm") * np.median(np.abs(across / spins[there]))
     rounding = math.sqrt((variance + spin_step**2) / 12.0)
-    return _judged(across, rolling, rounding, with_face)
+    return _decide_origin(across, rolling, rounding, with_face)
 
 
-def _apart(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats]:
-    """Return the angle between face normal and launch [rad], and how far it leans to the side [rad].
+def _separation(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats]:
+    """Return the angle between face normal and launch [rad], and its direction, 0 in the vertical plane [rad].
 
-    ``turned`` is the face angle less the start direction [rad]. Without a face the angle is loft less launch, negative
-    where the ball starts above the normal.
+    ``turned`` is face angle minus start direction [rad]. Without face angles, the angle is loft minus launch, which is
+    negative if the ball starts above the normal.
     """
     if not turned.any():
         return loft - launch, np.zeros_like(loft)
@@ -160,8 +162,8 @@ def _apart(loft: Floats, launch: Floats, turned: Floats) -> tuple[Floats, Floats
     return np.arctan2(np.hypot(up, side), along), np.arctan2(side, up)
 
 
-def _judged(across: Floats, rolling: Floats, rounding: float, with_face: bool) -> LoftOrigin:
-    """Decide from angles [rad], and from speeds of rolling over ball speed."""
+def _decide_origin(across: Floats, rolling: Floats, rounding: float, with_face: bool) -> LoftOrigin:
+    """Decide from angles [rad] and from rolling speed over ball speed."""
     from scipy.stats import chi2
 
     ratio = _ratio(np.sin(across), rolling)
@@ -189,7 +191,7 @@ def _judged(across: Floats, rolling: Floats, rounding: float, with_face: bool) -
 
 
 def _ratio(sines: Floats, rolling: Floats) -> float:
-    """Return the ratio of rolling to sines with the least absolute deviations of the sines: a weighted median."""
+    """Return the ratio of rolling to sines with the smallest absolute deviations of the sines: a weighted median."""
     each, weights = sines / rolling, np.abs(rolling)
     order = np.argsort(each)
     sums = np.cumsum(weights[order])
@@ -198,7 +200,7 @@ def _ratio(sines: Floats, rolling: Floats) -> float:
 
 
 def _step(values: Floats, steps: Iterable[float], unit: str) -> float:
-    """Return the step to which values are rounded [SI], 0 if to none of ``steps``."""
+    """Return the rounding step of values [SI], 0 if it is none of ``steps``."""
     shown = np.asarray(units.from_si(values, unit))
     for step in steps:
         if np.max(np.abs(shown / step - np.round(shown / step))) < 1e-6:
@@ -207,7 +209,7 @@ def _step(values: Floats, steps: Iterable[float], unit: str) -> float:
 
 
 def _spin(every: dict[str, Floats], *, in_space: bool) -> Floats | None:
-    """Return the spin that belongs to the angle in space, or to that in the vertical plane; None without any."""
+    """Return the spin for the angle in space (total spin first) or in the vertical plane (backspin first), or None."""
     total, back = every.get("total_spin"), every.get("backspin")
     first, second = (total, back) if in_space else (back, total)
     if first is None or second is None:

@@ -1,8 +1,8 @@
-"""Recorded shots prepared for comparison with models: one club, complete rows, and notes on what was assumed.
+"""Recorded shots prepared for models: one club, complete rows, and notes on what was assumed.
 
-Every command that works on the shots of one club goes through here. The shots are read and selected, their club is
-checked by its name in the file and by the dynamic lofts, stated values fill in for what was not measured, and club data
-that was taken elsewhere on the club is referred to the points of clubface.
+Every command that works with shots of one club goes through here. Shots are read and selected, the club is checked by
+its name in the file and by dynamic loft, stated values replace missing ones, and club data measured at other points of
+the club are converted to clubface's reference points.
 """
 
 from __future__ import annotations
@@ -30,21 +30,21 @@ from clubface.support.arrays import Selection, ValueLike
 from clubface.support.checks import check_choice
 
 REFUSE, NOTE = MISMATCH = ("refuse", "note")
-"""What shots of another club may do."""
+"""How to handle shots of another club."""
 LOFT_DIFFERENCE = units.to_si(12.0, "deg")
-"""Median dynamic loft further than this [rad] from the static loft is most likely another club's."""
+"""A median dynamic loft farther than this [rad] from the static loft most likely belongs to another club."""
 LEAST_LOFT = 0.6
-"""So is one below this part of the static loft, where that allows more: of short irons, players take off more than of
-long ones. The launch angles of the published tour averages need 0.60 (5-iron) to 0.72 (pitching wedge) of it."""
+"""So does one below this share of the static loft, if that allows a lower loft: players deloft short irons more than
+long ones. Launch angles of published tour averages need 0.60 (5-iron) to 0.72 (pitching wedge) of it."""
 
 
 def check_club(
     club: Club, names: Iterable[object] | None, lofts: NDArray[np.float64], mismatch: str = "refuse"
 ) -> list[Note]:
-    """Refuse shots of another club than ``club``, or return a note that says why they look so.
+    """Raise an error if shots seem to be of a different club than ``club``, or return a note on it.
 
-    ``names`` is what the file calls the club of each shot, None if it does not or if that was chosen on purpose;
-    ``lofts`` are the measured dynamic lofts [rad], if any, and ``mismatch`` is "refuse" or "note".
+    ``names`` holds the club name of each shot in the file, or None if there are no names or the choice was deliberate;
+    ``lofts`` holds measured dynamic lofts [rad], if any, and ``mismatch`` is "refuse" or "note".
     """
     check_choice("mismatch", mismatch, MISMATCH)
     wanted, result = club_kind(club.name), None
@@ -65,21 +65,21 @@ def check_club(
 
 
 WEDGES = ("gap-wedge", "sand-wedge", "lob-wedge")
-"""The built-in clubs for which shots may name a loft in place of a club, as in "56"."""
+"""Built-in clubs that shots may name by loft, as in "56"."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ReadyShots(RecordedShots):
-    """Recorded shots of one club, referred to its points; attributes as of :class:`RecordedShots`, and these.
+    """Recorded shots of one club, converted to its reference points, with attributes besides :class:`RecordedShots`.
 
     Attributes
     ----------
     club
         The club with which they were hit.
     places
-        Place of each shot (from 0) among the shots that were given or read.
+        Index of each shot (from 0) among the shots given or read.
     loft_origins
-        What all shots of this club in each file tell of where their dynamic lofts come from.
+        Origin of the dynamic lofts of this club in each file.
     """
 
     club: Club
@@ -101,24 +101,23 @@ def ready_shots(
     mismatch: str = "refuse",
     assume: Mapping[str, ValueLike] | None = None,
 ) -> ReadyShots:
-    """Make recorded shots of one club ready for models.
+    """Prepare recorded shots of one club for models.
 
     Parameters
     ----------
     given
-        Recorded shots, or a file that :func:`clubface.shots.read` reads. :class:`ReadyShots` are ready.
+        Recorded shots, or a file for :func:`clubface.shots.read`. :class:`ReadyShots` are returned as they are.
     club
-        The club with which they were hit. If left out: the club that the shots name, if that is a built-in one.
+        The club with which they were hit; default the club the shots name, if it is built in.
     hand
-        "right" or "left": the hand of the club. If left out, its own.
+        "right" or "left": the hand of the club; default its own.
     only
-        Take only the shots of the club that the file calls so. If left out: all shots, which must then be of one club.
+        Take only shots of the club with this name in the file; default all shots, which must be of one club.
     where
-        Take only the shots that fulfil this condition, see :func:`clubface.shots.match_shots`. It is judged on
-        what was measured, where it was measured.
+        Take only shots that match this condition, see :func:`clubface.shots.match_shots`. It applies to the values as
+        measured.
     mismatch
-        What to do with shots that by their names or their dynamic loft look like those of another club: "refuse" or
-        "note".
+        How to handle shots whose club name or dynamic loft suggests another club: "refuse" or "note".
     assume
         Values for what was not measured, such as ``{"toe": "0 mm"}``; see
         :func:`clubface.shots.recorded.assume_values`.
@@ -126,12 +125,12 @@ def ready_shots(
     Raises
     ------
     InputError
-        No shot is left; or the shots are of several clubs, or of another club than the one given.
+        No shot is left, or the shots are of several clubs or of a different club than the one given.
     """
     if isinstance(given, ReadyShots):
         return given
     recorded = given if isinstance(given, RecordedShots) else read(given)
-    origins = loft_origins(recorded)  # of all shots, and before lofts are assumed or referred
+    origins = loft_origins(recorded)  # from all shots, before lofts are assumed or converted
     recorded, places = (recorded, np.arange(len(recorded))) if where is None else matching_shots(recorded, where)
     takes_all = club is not None and only is None and mismatch == NOTE
     of_club = np.arange(len(recorded)) if takes_all else of_one_club(recorded, only, club is not None)
@@ -151,7 +150,7 @@ def ready_shots(
 
 
 def of_one_club(recorded: RecordedShots, only: str | None, club_is_given: bool) -> NDArray[np.int64]:
-    """Return the places of the shots of the one club wanted; an error says what to do where there are several."""
+    """Return the indices of the shots of one club; if there are several clubs, raise an error with advice."""
     if recorded.clubs is None:
         if only is not None:
             raise InputError("only", only, "leave it out: the shots name no club")
@@ -178,7 +177,7 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
         return club_named(given)
     named = str(recorded.clubs[0]) if recorded.clubs is not None and len(recorded) else ""
     kind = club_kind(named)
-    if kind not in CLUB_NAMES:  # a wedge that goes by its loft is the built-in one of that loft
+    if kind not in CLUB_NAMES:  # a wedge named by loft is the built-in one with that loft
         lofts = {f"{units.from_si(club_named(name).loft, 'deg'):.0f}-wedge": name for name in reversed(WEDGES)}
         kind = lofts.get(kind or "")
     if kind is None:
@@ -188,11 +187,11 @@ def club_of(recorded: RecordedShots, given: str | os.PathLike[str] | Club | None
 
 
 QUANTITIES = {"ball_speed": "mph", "launch": "deg", "azimuth": "deg", "backspin": "rpm", "sidespin": "rpm"}
-"""The launch quantities on which models are compared, in the order of the published tables, and their usual units."""
+"""Launch quantities compared with models, in the order of published tables, and their usual units."""
 DELIVERY, LAUNCH = COMPARED_AT = ("delivery", "launch")
 """Where models are compared with shots: at the measured delivery, or at the measured launch."""
 SOLVED = {"launch": "loft", "azimuth": "face"}
-"""What is solved, by what of the launch is then met."""
+"""Delivery quantity solved for, by the launch quantity it must reproduce."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -204,18 +203,18 @@ class MeasuredShots:
     club
         The club with which they were hit.
     delivery
-        The measured part of each delivery, as :func:`impact` takes it; the hand, where it is known, as +1 or -1.
+        Measured delivery quantities, as :func:`impact` takes them; the hand, if known, as +1 or -1.
     launch
-        The measured part of each launch, by name, in the order of ``QUANTITIES``; NaN where it was not measured.
+        Measured launch quantities by name, in the order of ``QUANTITIES``; NaN where not measured.
     start
         Launch angle and, if it was measured, azimuth [rad], by name, at which models are compared; empty for a
         comparison at the measured delivery. Loft and face angle are then not in ``delivery``.
     loft_origins
-        What the shots tell of where their dynamic lofts come from.
+        Origin of the dynamic lofts.
     rows
         Row of each shot in the source.
     places
-        Place of each shot (from 0) among the recorded shots given.
+        Index of each shot (from 0) among the recorded shots given.
     source
         The file, or another name.
     dropped
@@ -272,13 +271,13 @@ def measured_shots(
     quantities
         The launch quantities wanted, out of ``QUANTITIES``.
     compared_at
-        "delivery", or "launch": models then meet launch angle and, if it was measured, start direction, for which
-        dynamic loft and face angle are solved; those of the shots are left out.
+        "delivery" or "launch". With "launch", dynamic loft and face angle are solved so that models reproduce the
+        launch angle and, if measured, the start direction; measured loft and face angle are ignored.
 
     Raises
     ------
     InputError
-        There is no usable shot; the shots are of several clubs, or of another club than the one given; or no column
+        There is no usable shot, the shots are of several clubs or of a different club than the one given, or no column
         gives a speed or a launch.
     """
     recorded = ready_shots(shots, club=club, only=only, where=where, mismatch=mismatch, assume=assume)
@@ -350,7 +349,7 @@ def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
 
 
 def assumptions(head: Club, delivery: Mapping[str, Any]) -> list[Note]:
-    """Return what was not measured and how it is taken."""
+    """Return notes on what was not measured and the values assumed instead."""
     zero = [name for name in OF_CLUB if name not in delivery and name != "loft"]
     result = [note("taken-as-zero", quantities=zero)] if zero else []
     if "loft" not in delivery:

@@ -1,6 +1,6 @@
-"""What launch monitors send over a socket, whatever their protocol: messages, numbers in them, and their framing.
+"""Messages of launch monitors over a socket, for all protocols: content, numbers, and framing.
 
-A stream of bytes may be cut anywhere, so that the end of each JSON object is found here.
+A stream of bytes may be split anywhere, so the end of each JSON object has to be found.
 """
 
 from __future__ import annotations
@@ -26,41 +26,41 @@ if TYPE_CHECKING:
     from clubface.shots.recorded import RecordedShots
 
 LARGEST_NUMBER = 1e9
-"""No number of a message comes near it, but for what stands for a value that was not measured."""
+"""Limit that no number in a message reaches, except placeholders for values not measured."""
 LARGEST_VALUE = 1e39
-"""The greatest number that such a value can be, of four bytes, is 3.4e38."""
+"""Limit for placeholders; the largest four-byte float is 3.4e38."""
 PROTOCOLS = {"open-connect": "Open Connect", "flight-relay": "Flight Relay", "opengolfsim": "OpenGolfSim"}
-"""The protocols, as people write them."""
+"""Readable names of the protocols."""
 LISTED = 10
-"""Notes of messages that are repeated of a session, the most frequent ones."""
+"""Maximum number of message notes listed for a session, the most frequent first."""
 
 
 class MessageError(ClubfaceError, ValueError):
-    """A message that is no shot, heartbeat or status; its text names the field at fault and is sent back."""
+    """An invalid message; the text names the field at fault and is sent back."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Message:
-    """The content of a message of a launch monitor, in SI units.
+    """The content of a launch monitor's message, in SI units.
 
     Attributes
     ----------
     kind
         "shot", "heartbeat" or "status".
     device, shot_number
-        Name and shot number that the sender gives; 0 where it gives none.
+        Name and shot number given by the sender; number 0 if none.
     delivery
         Inputs of an impact by name; empty if the club was not measured.
     launch
         Quantities of the launch by name; empty without ball data.
     impossible
-        The values of both that no shot can have, and which therefore are in neither.
+        Impossible values, which are left out of both.
     notes
-        What else of the message was not taken, and why.
+        Other parts of the message that were left out, and why.
     is_ready, sees_ball
-        The state that the monitor reports; None if it reports none.
+        The monitor's reported state; None if it reports none.
     identity
-        A text that no other shot of any monitor has, where the protocol gives one.
+        Unique identifier of the shot, if the protocol gives one.
     """
 
     kind: str
@@ -76,7 +76,7 @@ class Message:
 
 
 def shot_message(raw: Message) -> Message:
-    """Return the message of a shot without the values that no shot can have, and with all that follows of its spin.
+    """Return the message of a shot without impossible values, and with all spin quantities that can be derived.
 
     Raises
     ------
@@ -99,13 +99,13 @@ def shot_message(raw: Message) -> Message:
 
 
 class ValuesNotTaken:
-    """What a monitor sends and no shot takes, each reported once: one without spin sends its zero with every shot."""
+    """Reports values left out of shots, each only once: a monitor without spin sends zero with every shot."""
 
     def __init__(self) -> None:
         self._reported: set[tuple[str, float] | Note] = set()
 
     def sentences(self, message: Message) -> Iterator[str]:
-        """Yield what is new in a message: values that no shot can have, and its notes."""
+        """Yield a sentence for each new impossible value or note of a message."""
         shot = f"shot {message.shot_number}" if message.shot_number else "a shot"
         new = [each for each in message.impossible.items() if each not in self._reported]
         if new:
@@ -119,9 +119,9 @@ class ValuesNotTaken:
 def numbers_of(
     data: Mapping[str, Any], names: Iterable[str], where: str, notes: list[Note], needed: Collection[str] = ()
 ) -> dict[str, float]:
-    """Return the fields that hold a number; null is not measured.
+    """Return the fields that hold a number; null means not measured.
 
-    A note says which hold something else; among those ``needed``, that and null are a :class:`MessageError`.
+    A field with anything else gets a note; a ``needed`` field without a number raises a :class:`MessageError`.
     """
     result = {}
     for name in names:
@@ -137,7 +137,7 @@ def numbers_of(
 
 
 def number_of(data: Mapping[str, Any], name: str, where: str, largest: float = LARGEST_NUMBER) -> float:
-    """Return a field that must hold a number; texts that are numbers count."""
+    """Return a field that must hold a number, or a number as text."""
     result = data.get(name)
     try:
         is_none = isinstance(result, bool) or result is None or (isinstance(result, str) and "_" in result)
@@ -158,12 +158,12 @@ def object_of(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
 
 
 def in_si(given: Mapping[str, float], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    """Return the values of fields in SI by quantity; ``fields`` has the quantity and the unit of each."""
+    """Return the values of fields in SI by quantity; ``fields`` gives quantity and unit of each field."""
     return {fields[name][0]: to_si(value, fields[name][1]) for name, value in given.items()}
 
 
 def in_units(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    """Return the fields of a message, each in its unit, from values or texts with units; NaN is left out."""
+    """Return the fields of a message in their units, from SI values or texts with units; NaN is left out."""
     result = {}
     for name, (quantity, symbol) in fields.items():
         if values.get(quantity) is not None:
@@ -174,7 +174,7 @@ def in_units(values: Mapping[str, Any], fields: Mapping[str, tuple[str, str]]) -
 
 
 def whole_spin(launch: Mapping[str, Any]) -> dict[str, float]:
-    """Return all four spins of a launch [rad/s, rad]; a warning says what was assumed."""
+    """Return all four spin quantities of a launch [rad/s, rad]; warn about assumptions."""
     given = {name: _si_number(launch[name], name, DIMENSIONS[name]) for name in SPINS if launch.get(name) is not None}
     back, side, assumed = parts({name: value for name, value in given.items() if not math.isnan(value)})
     if assumed:
@@ -183,15 +183,14 @@ def whole_spin(launch: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _si_number(value: Any, name: str, dimension: str) -> float:
-    """Return a number in SI; NaN is one, and means not measured."""
+    """Return a number in SI; NaN, for not measured, is allowed."""
     return value if isinstance(value, float) and math.isnan(value) else parse(value, dimension, name=name)
 
 
 def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: str = "open-connect") -> RecordedShots:
     """Return the shots among the messages as :class:`RecordedShots`; ``rows`` are the shot numbers.
 
-    ``protocol`` is what they came over. Notes count the values that no shot can have, and say what else of the messages
-    was not taken.
+    ``protocol`` is the protocol of the messages. Notes count impossible values and list what else was left out.
     """
     from clubface.shots.recorded import RecordedShots
 
@@ -222,16 +221,16 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: 
 
 
 LARGEST = 65_536
-"""Bytes of a message; one of Open Connect has less than 2000."""
+"""Maximum size of a message [bytes]; Open Connect messages have less than 2000."""
 DEEPEST = 16
-"""Objects in objects; Open Connect has two."""
+"""Maximum nesting depth; Open Connect has two levels."""
 _SPACE = b" \t\r\n\x00"
 _MARK = re.compile(rb'"(?:[^"\\]|\\.)*+(?P<text_ends>"?)|[\[{]|[\]}]', re.DOTALL)
-"""A text, which may not have ended yet, and what begins or ends an object or a list."""
+"""A text, possibly unfinished, or the beginning or end of an object or list."""
 
 
 class Broken(NamedTuple):
-    """Bytes that are not a message, and the reason."""
+    """Why some bytes are not a message."""
 
     reason: str
 
@@ -265,7 +264,7 @@ class ObjectStream:
                 self._in_garbage = not brace and (self._in_garbage or bool(garbage))
                 self._held, self._seen, self._depth = brace + rest, len(brace), len(brace)
                 continue
-            self._look_on()
+            self._scan()
             if self._seen > LARGEST or self._depth > DEEPEST:
                 result.append(Broken(f"a message longer than {LARGEST} bytes or deeper than {DEEPEST} levels"))
                 self._held, self._depth, self._in_garbage = self._held[min(self._seen, LARGEST) :], 0, True
@@ -276,8 +275,8 @@ class ObjectStream:
                 break
         return result
 
-    def _look_on(self) -> None:
-        """Go on to the end of the object, or as far as the bytes reach; a text is looked at again once it has ended."""
+    def _scan(self) -> None:
+        """Advance to the end of the object or of the data; an unfinished text is scanned again later."""
         while 0 < self._depth <= DEEPEST:
             mark = _MARK.search(self._held, self._seen)
             if mark is None or mark["text_ends"] == b"":

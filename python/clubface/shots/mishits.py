@@ -1,12 +1,12 @@
-"""Mishits, and what is typical of the other shots: the one robust rule by which shots of a club are summed up.
+"""Mishits and robust statistics of the other shots: the one rule for summarising shots of a club.
 
-A topped drive moves the mean of ten by as much as a new driver would, so that medians come first, and spreads are those
-of the shots that were hit as usual. A shot is a mishit if its ball speed or carry falls short, or its launch angle or
-start direction is off, by more than ``FARTHEST`` robust standard deviations of the shots of the same club, and by an
-amount that anybody sees (``LEAST``). The robust standard deviation is 1.4826 times the median absolute deviation; the
-limit of 3.5 is that of B. Iglewicz and D. C. Hoaglin, How to detect and handle outliers, ASQC Quality Press, 1993; and
-n / (n - 0.8) corrects it for a small number n of shots (C. Croux and P. J. Rousseeuw, Time-efficient algorithms for
-two highly robust estimators of scale, Computational Statistics 1, 411-428, 1992).
+One topped drive moves the mean of ten by as much as a new driver would, so summaries use medians, and spreads leave out
+mishits. A shot is a mishit if its ball speed or carry falls short, or its launch angle or start direction is off, by
+more than ``FARTHEST`` robust standard deviations of the shots with the same club, and by a visible amount (``LEAST``).
+The robust standard deviation is 1.4826 times the median absolute deviation, times n / (n - 0.8) for a small number n of
+shots (C. Croux and P. J. Rousseeuw, Time-efficient algorithms for two highly robust estimators of scale, Computational
+Statistics 1, 411-428, 1992). The limit of 3.5 is from B. Iglewicz and D. C. Hoaglin, How to detect and handle outliers,
+ASQC Quality Press, 1993.
 """
 
 from __future__ import annotations
@@ -22,43 +22,43 @@ from clubface.support.arrays import Floats
 from clubface.units import to_si
 
 FARTHEST = 3.5
-"""Robust standard deviations beyond which a shot is a mishit."""
+"""Number of robust standard deviations beyond which a shot is a mishit."""
 LEAST = {"ball_speed": 0.1, "carry": 0.15, "launch": to_si(6.0, "deg"), "azimuth": to_si(10.0, "deg")}
-"""By how much a mishit falls short of the median, as a part of it, or how far its angle is off [rad]; assumed."""
+"""Minimum shortfall of a mishit relative to the median, or deviation of its angle [rad]; assumed."""
 SHORT = ("ball_speed", "carry")
-"""Quantities that make a mishit only by being too small."""
+"""Quantities for which only values that are too small count."""
 FEWEST = 5
-"""Fewest shots of a club among which mishits are looked for."""
+"""Minimum number of shots with a club for finding mishits."""
 MOST = 1 / 3
-"""Largest share of mishits: with more, the shots are of two kinds, such as full and half swings, and none is one."""
+"""Largest share of mishits; with more, shots are of two kinds, such as full and half swings, and none is a mishit."""
 
 
 class Mishit(NamedTuple):
     """A quantity that makes a shot a mishit, SI."""
 
-    place: int  # the shot, counted from 0
-    quantity: str  # what is far off
+    place: int  # index of the shot
+    quantity: str  # quantity that is far off
     value: float
     median: float  # of all shots
 
 
 class Statistic(NamedTuple):
-    """One quantity of the shots of a club, SI.
+    """Statistics of one quantity over the shots of a club, in SI units.
 
     Attributes
     ----------
     shots
-        Number of shots in which it was measured, mishits left out.
+        Number of shots in which it was measured, without mishits.
     median, spread
-        Median of them, and standard deviation from shot to shot (NaN for a single shot).
+        Median and standard deviation of these (NaN for a single shot).
     low, high
-        Two of three of them lie between.
+        Range of the middle two thirds of these.
     measured
-        Number of shots in which it was measured, mishits among them.
+        Number of shots in which it was measured, including mishits.
     mean, deviation
-        Mean and standard deviation of all of these.
+        Mean and standard deviation of all measured shots.
     usual_mean
-        Mean of those that are no mishits.
+        Mean without mishits.
     """
 
     shots: int
@@ -73,20 +73,20 @@ class Statistic(NamedTuple):
 
     @property
     def error(self) -> float:
-        """Standard error of the median: that of the mean of normally distributed shots times the root of pi / 2.
+        """Standard error of the median: the standard error of the mean of normal shots times the root of pi / 2.
 
-        The factor is that of many shots. Of two, the median is the mean, and of few it is too large by some per cent.
+        The factor holds for many shots. For two, the median is the mean; for few, it is too large by some per cent.
         """
         return math.sqrt((math.pi / 2.0 if self.shots > 2 else 1.0) / self.shots) * self.spread
 
     @property
     def margin(self) -> float:
-        """Half of the 95% interval of the median by Student's t; NaN for a single shot."""
+        """Half width of the 95% confidence interval of the median by Student's t; NaN for a single shot."""
         return math.nan if self.shots < 2 else _student(self.shots - 1) * self.error
 
 
 def find_mishits(values: Mapping[str, Floats]) -> list[Mishit]:
-    """Return what makes shots of one club mishits, shot by shot; ``values`` are the quantities [SI] by name."""
+    """Return the mishits among shots of one club, one entry per reason; ``values`` are the quantities [SI] by name."""
     reasons = []
     for name, least in LEAST.items():
         measured = values.get(name, np.empty(0))
@@ -107,16 +107,16 @@ def find_mishits(values: Mapping[str, Floats]) -> list[Mishit]:
 
 
 def is_mishit(mishits: list[Mishit], count: int) -> NDArray[np.bool_]:
-    """Return which of ``count`` shots are among the ``mishits``."""
+    """Return the mask, of length ``count``, of the shots among ``mishits``."""
     mask = np.zeros(count, dtype=np.bool_)
     mask[[each.place for each in mishits]] = True
     return mask
 
 
 def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statistic | None:
-    """Return the figures of measured values, of which the mask says which are of mishits; None if there are none.
+    """Return the statistics of measured values, with a mask of mishits; None if nothing was measured.
 
-    Where nothing but mishits was measured, they are what there is.
+    If all measured shots are mishits, they are used.
     """
     known = np.isfinite(values)
     every = values[known]
@@ -131,7 +131,7 @@ def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statis
 
 
 def difference_error(one: Statistic, other: Statistic) -> float:
-    """Return half of the 95% interval of the difference of two medians, whose spreads may differ (Welch, 1947)."""
+    """Return the half width of the 95% interval of the difference of two medians, by Welch's test (1947)."""
     parts = [each.error**2 for each in (one, other)]
     total = sum(parts)
     if total == 0.0:
@@ -141,7 +141,7 @@ def difference_error(one: Statistic, other: Statistic) -> float:
 
 
 def _student(freedom: float) -> float:
-    """Return the value of Student's t that 95% lie within."""
+    """Return the two-sided 95% quantile of Student's t."""
     from scipy.special import stdtrit
 
     return float(stdtrit(freedom, 0.975))
