@@ -10,7 +10,7 @@ from clubface.design.golfer_estimate import changed, doubts, estimate_golfer
 from clubface.errors import InputError
 from clubface.shots.measured import ready_shots
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.reference_points import _normal, _tilted, _turned
+from clubface.shots.reference_points import _attitude_rotation, _normal, _tilt_rotation
 
 DEG = np.pi / 180.0
 NAMES = ("speed", "path", "loft", "face", "toe", "high")
@@ -134,7 +134,7 @@ def test_bulge_and_roll_are_not_counted_twice():
     values = {name: true.deliveries[name].copy() for name in NAMES}
     lie = np.zeros(300)
     normal = _normal(values["toe"], values["high"], head)
-    turned = _turned(values["loft"], values["face"], lie, head.loft) @ _tilted(head.loft, lie)
+    turned = _attitude_rotation(values["loft"], values["face"], lie, head.loft) @ _tilt_rotation(head.loft, lie)
     x, y, z = np.einsum("nij,nj->ni", turned, normal).T
     measured = {**values, "loft": np.arcsin(y), "face": np.arctan2(z, x)}
     shots = RecordedShots(

@@ -1,4 +1,4 @@
-"""The rows of a file of recorded shots: headers, units, summaries and shots, and the values of the shots by column."""
+"""Reading the rows of a file of recorded shots: headers, units, summaries and shots, and values by column."""
 
 from __future__ import annotations
 
@@ -42,26 +42,26 @@ from clubface.units import size, to_si, unit
 DERIVED = frozenset(
     {"smash", FACE_TO_PATH, "apex", "landing_angle", "landing_speed", "flight_time", "total", "total_side"}
 )
-"""What a monitor computes from what it measured: a cell of it that cannot be read costs itself and not the shot."""
+"""Quantities that monitors derive from others; an unreadable cell loses only its own value, not the shot."""
 BLOCK_ROWS = 16384
-"""Rows that are made shots at a time."""
+"""Number of rows turned into shots at a time."""
 JUDGED = 200
-"""Cells by which a column that is not read is known to be one of numbers."""
+"""Number of cells inspected to find out whether an unused column is numeric."""
 HEADINGS = 2
-"""Headings of a layout that make a row below the first header another header, if none of its cells is a number."""
+"""Number of known headings that make a later row without numbers a new header."""
 SHOWN = 3
-"""Values that an error names."""
+"""Maximum number of values listed in an error."""
 SAME = 1e-9
 """Relative difference up to which two cells have the same value."""
 _NUMERIC = frozenset("0123456789+-.,−")
 
 
 class ShotBlock(NamedTuple):
-    """Shots that stand below one another, SI; sides across the target line are in world terms."""
+    """Consecutive shots, in SI units; sides are in world terms."""
 
-    lines: list[int]  # in which the row of each begins
-    values: dict[str, Floats]  # what was measured, by quantity; NaN where it was not
-    hands: Floats  # +1 for right, -1 for left, NaN where it is not known
+    lines: list[int]  # line at which each row begins
+    values: dict[str, Floats]  # by quantity; NaN where not measured
+    hands: Floats  # +1 for right, -1 for left, NaN if unknown
     texts: dict[str, list[str]]  # "club", "player", "date" and "file" as in the file, or ""
 
 
@@ -71,24 +71,28 @@ class Session:
 
     tables: list[ShotBlock] = field(default_factory=list)  # the shots of each part of the file
     rejected: list[RejectedRow] = field(default_factory=list)
-    summaries: int = 0  # rows of averages and the like, which are left out
-    without_club: int = 0  # shots for which the file says that the club was not measured
-    counts: dict[str, Counter[str]] = field(default_factory=dict)  # of values in the columns that a note counts
-    assumed: dict[str, str] = field(default_factory=dict)  # headings whose unit was assumed, with the unit
-    unused: dict[str, None] = field(default_factory=dict)  # headings that words in brackets make those of nothing
-    remarks: dict[Note, None] = field(default_factory=dict)  # further ones on the columns
-    unread: dict[str, None] = field(default_factory=dict)  # headings of numbers that give no quantity
-    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)  # cells without number: how many, and one
-    points: dict[str, str] = field(default_factory=dict)  # where on the club data was taken, as columns say
+    summaries: int = 0  # number of rows of averages and the like, which are left out
+    without_club: int = 0  # number of shots without measured club data
+    counts: dict[str, Counter[str]] = field(
+        default_factory=dict
+    )  # counts of values in the columns summarised in a note
+    assumed: dict[str, str] = field(default_factory=dict)  # assumed units by heading
+    unused: dict[str, None] = field(default_factory=dict)  # headings not used because their brackets hold words
+    remarks: dict[Note, None] = field(default_factory=dict)  # other remarks on the columns
+    unread: dict[str, None] = field(default_factory=dict)  # headings of numeric columns without a known quantity
+    unreadable: dict[str, tuple[int, str]] = field(
+        default_factory=dict
+    )  # number of cells that are not numbers, and an example, by heading
+    points: dict[str, str] = field(default_factory=dict)  # reference points of club data, from columns
     units: dict[str, FileColumn] = field(default_factory=dict)  # the first column of each quantity
-    header_line: int | None = None  # where the first header stands
-    guessed_hand: bool = False  # whether club terms were read as a right-hander's because nothing names the hand
-    doubtful_number: str = ""  # one whose decimal mark may separate thousands, where nothing decides it
-    named: set[str] = field(default_factory=set)  # whether the file names the "club" and the "player" of shots
+    header_line: int | None = None  # line of the first header
+    guessed_hand: bool = False  # whether club terms were read as right-handed because the hand is unknown
+    doubtful_number: str = ""  # a number whose decimal mark may separate thousands
+    named: set[str] = field(default_factory=set)  # which of "club" and "player" the file names
 
 
 class _Faults:
-    """The faults of some rows: why they give no shot, and cells without number of computed quantities, by heading."""
+    """Faults of some rows: reasons for rejection, and unreadable cells of derived quantities by heading."""
 
     def __init__(self) -> None:
         self.reasons: dict[int, str] = {}
@@ -96,15 +100,15 @@ class _Faults:
 
     @property
     def rows(self) -> set[int]:
-        """The rows with any of it."""
+        """The rows with any fault."""
         return {*self.reasons, *(row for cells in self.unreadable.values() for row in cells)}
 
     def reject(self, row: int, reason: str) -> None:
-        """Add the reason why a row gives no shot, if it has none yet."""
+        """Reject a row for a reason, unless it is rejected already."""
         self.reasons.setdefault(row, reason)
 
     def add(self, row: int, cell: str, what: str, column: FileColumn) -> None:
-        """Add a cell that holds no number: of a computed quantity it costs the cell, otherwise the row."""
+        """Add an unreadable cell; it rejects the row unless the quantity is derived."""
         if column.quantity in DERIVED:
             self.unreadable.setdefault(column.heading, {})[row] = cell.strip()
         else:
@@ -112,10 +116,10 @@ class _Faults:
 
 
 class SessionReader:
-    """Reads the rows of a file of a known layout.
+    """Reads the rows of a file with a known layout.
 
-    ``hand`` is +1 or -1 for every shot, or NaN where the file may say it. The cells of the first rows, ``sample``, may
-    name units. ``is_foreign`` says whether the cells of a row are a header that the layout cannot read.
+    ``hand`` is +1 or -1 for all shots, or NaN to take it from the file. The first rows, ``sample``, may contain units
+    in their cells. ``is_foreign`` tells whether a row is the header of a table that the layout cannot read.
     """
 
     def __init__(
@@ -143,13 +147,13 @@ class SessionReader:
         headings = {"date": layout.date, "player": layout.player, "club": layout.club}
         self._keys = {squeezed(plain(each)): key for key, names in headings.items() for each in names}
         self._title = re.compile(layout.title_of_player) if layout.title_of_player else None
-        self._titles = {"club": "", "player": "", "date": ""}  # of the shots below, where no column has them
+        self._titles = {"club": "", "player": "", "date": ""}  # titles for the shots below, for lack of a column
         self._above: Sequence[str] = ()
         self.session = Session()
 
     @property
     def has_header(self) -> bool:
-        """Whether a row was the header of the layout."""
+        """Whether a header has been found."""
         return bool(self._header)
 
     def read(self, rows: Iterable[Row | Reject]) -> Session:
@@ -160,7 +164,7 @@ class SessionReader:
                 continue
             cells, line, _ = row
             columns = self._columns
-            # Most rows of most files are shots: they begin with a number that is no title such as "7 Iron".
+            # Fast path: most rows are shots, which begin with a number that is not a title such as "7 Iron".
             if (
                 columns
                 and len(cells) == columns.width
@@ -177,7 +181,7 @@ class SessionReader:
         return self.session
 
     def read_columns(self, headings: Sequence[str], parts: Iterable[tuple[Sequence[Any], Sequence[int]]]) -> Session:
-        """Return the contents of a table that comes by column, as texts or numbers, with the line of each row."""
+        """Return the contents of a table given by column, as texts or numbers, with the line of each row."""
         self._begin_table(headings, None)
         self._choose_columns(None, [])
         for cells, lines in parts:
@@ -185,7 +189,7 @@ class SessionReader:
         return self.session
 
     def _note_unread(self, cells: Sequence[Any]) -> None:
-        """Note the columns of numbers that are not read, by the first rows below a header."""
+        """Record unused numeric columns, judging by the first rows below a header."""
         columns = self._columns
         assert columns is not None
         for place in columns.others:
@@ -200,12 +204,12 @@ class SessionReader:
                 self.session.unread.setdefault(shown, None)
 
     def _texts(self, cells: Sequence[Any], place: int) -> Sequence[str]:
-        """Return the cells of a column of names, which a Parquet file may have as numbers."""
+        """Return the cells of a text column, which may be numbers in a Parquet file."""
         column = cells[place]
         return ["" if each != each else f"{each:.15g}" for each in column] if _is_array(column) else column
 
     def _read_other(self, cells: Sequence[str], line: int) -> None:
-        """Read a row that may be no shot."""
+        """Read a row that may not be a shot."""
         if self._take_names(cells):
             return
         if not self._has_numbers(cells):
@@ -243,7 +247,7 @@ class SessionReader:
         self._lines.append(line)
 
     def _take_date(self, cells: Sequence[str]) -> None:
-        """Take the date of a row above a table, where it has one, as that of the shots below."""
+        """Take a date above a table, if any, for the shots below."""
         if (date := date_among(cells)) is not None:
             self._take_title("date", date)
 
@@ -253,9 +257,9 @@ class SessionReader:
         self.session.named.add(key)
 
     def _take_names(self, cells: Sequence[str]) -> bool:
-        """Take club and player of a row above shots that names them: ``Club: Driver``, ``Player,Ann`` or ``7 Iron``.
+        """Take club and player from a row above shots, such as ``Club: Driver``, ``Player,Ann`` or ``7 Iron``.
 
-        Their headings may also stand in a row of their own, above the names.
+        The headings may also be in a row above the names.
         """
         above, self._above = self._above, ()
         texts = [each.strip() for each in cells if each.strip()]
@@ -273,11 +277,11 @@ class SessionReader:
         return len(texts) == 2 and not self._layout.is_header(cells) and self._take_name(keys[0], texts[1])
 
     def _key(self, text: str) -> str:
-        """Return what a heading is of: "club", "player", "date", or "" for anything else."""
+        """Return "club", "player" or "date" for a heading of that kind, else ""."""
         return self._keys.get(squeezed(plain(text)), "")
 
     def _take_name(self, key: str, name: str) -> bool:
-        """Take a club, player or date for the shots below; return whether it is one."""
+        """Take a club, player or date for the shots below; return whether the text is one."""
         if key == "date":
             self._take_date((name,))
             return bool(self._titles["date"])
@@ -288,14 +292,14 @@ class SessionReader:
         return True
 
     def _is_header(self, cells: Sequence[str]) -> bool:
-        """Return whether a row names the columns of a table; below the first, one word is none, such as "Total"."""
+        """Return whether a row is a header; after the first, a single word such as "Total" is not enough."""
         if self._layout.is_header(cells) and (not self._header or sum(bool(each.strip()) for each in cells) > 1):
             return True
         known = self._layout.known({self._layout.heading(each).name for each in cells})
         return bool(self._header) and known >= HEADINGS and not self._is_foreign(cells)
 
     def _has_numbers(self, cells: Sequence[str]) -> bool:
-        """Return whether a cell of a column that is used holds a number, so that the row is no header."""
+        """Return whether a used column has a number in this row, which then is not a header."""
         if self._columns is None:
             return False
         places = (each.place for used in self._columns.used.values() for each in used)
@@ -329,7 +333,7 @@ class SessionReader:
             self._take(list(zip(*block, strict=True)), lines)
 
     def _take(self, cells: Sequence[Any], lines: list[int]) -> None:
-        """Add the shots of some rows below the same header, whose cells come by column."""
+        """Add the shots of some rows below one header, given by column."""
         columns, session = self._columns, self.session
         assert columns is not None
         self._note_unread(cells)
@@ -367,7 +371,7 @@ class SessionReader:
         session.tables.append(ShotBlock([lines[row] for row in kept], values, hands[kept], texts))
 
     def _names(self, cells: Sequence[Any], key: str, kept: Sequence[int]) -> list[str]:
-        """Return the texts of a kind in some rows, or the same for all where there is no column."""
+        """Return the texts of a kind in some rows, or the title for all of them if there is no column."""
         assert self._columns is not None
         places = self._columns.texts[key]
         if not places:
@@ -394,7 +398,7 @@ class SessionReader:
         return hands
 
     def _quantity(self, cells: Sequence[Any], used: Sequence[FileColumn], hands: Floats, faults: _Faults) -> Floats:
-        """Return the values of a quantity; where several columns have it, of the one with the finest steps."""
+        """Return the values of a quantity; among several columns, take the most finely rounded value."""
         values = self._numbers(cells[used[0].place], used[0], hands, faults)
         if len(used) == 1:
             return values
@@ -402,7 +406,7 @@ class SessionReader:
         for each in used[1:]:
             other = self._numbers(cells[each.place], each, hands, faults)
             other_step = _steps(cells[each.place], each, self._decimal_comma)
-            # In two units both are rounded; in the same, one is a rounding of the other.
+            # With different units both are rounded; with the same unit, one is a rounding of the other.
             coarser = np.where(step == other_step, 0.0, np.maximum(step, other_step))
             rounding = coarser if each.unit == used[0].unit else step + other_step
             apart = np.abs(values - other) > 0.5 * rounding * (1.0 + 1e-6) + SAME * np.abs(values)
@@ -415,7 +419,7 @@ class SessionReader:
         return values
 
     def _numbers(self, cells: Any, column: FileColumn, hands: Floats, faults: _Faults) -> Floats:
-        """Return the SI values of a column with their signs here, NaN where nothing was measured."""
+        """Return the values of a column in SI with clubface's signs; NaN where not measured."""
         if column.quantity in LARGE and self._doubtful and not _is_array(cells):
             for row, cell in enumerate(cells):
                 if cell in self._doubtful:
@@ -463,25 +467,25 @@ class SessionReader:
         return in_si
 
     def _leave_out_clubs(self, values: dict[str, Floats], kept: Sequence[int]) -> None:
-        """Leave out the club data of shots whose club was not measured, as an impossible club speed shows."""
+        """Leave out the club data of shots whose club speed is impossible, which means the club was not measured."""
         of_club = [name for name in values if name in inputs()]
         if not of_club:
             return
         speed = values.get("speed", np.full_like(values[of_club[0]], nan))
         table = np.array([values[name] for name in of_club])
         measured = ~np.isnan(table)
-        # Programs write zeros for no measurement.
+        # Programs write zeros for missing measurements.
         zeros = np.isnan(speed) & measured.any(axis=0) & ((table == 0.0) | ~measured).all(axis=0)
         lacking = zeros | ~can_be("speed", speed)
         if lacking.any():
             self.session.without_club += int(lacking[kept].sum())
             for name in of_club:
-                # A speed that no club has stays: it is named with all such values.
+                # Any other impossible speed stays, to be reported with all such values.
                 gone = lacking & (speed == 0.0) if name == "speed" else lacking
                 values[name] = np.where(gone, nan, values[name])
 
     def _take_points(self, cells: Sequence[Any], kept: Sequence[int]) -> None:
-        """Take where club data was taken, which must be the same for all shots."""
+        """Take the reference points of club data, which must be the same for all shots."""
         assert self._columns is not None
         for name, place in self._columns.points.items():
             held = {str(cells[place][row]).strip() for row in kept}
@@ -498,7 +502,7 @@ def _is_array(cells: Any) -> bool:
 
 
 def _is_measurement(cell: str) -> bool:
-    """Return whether a cell is a number, perhaps with a unit or a side, and no date, club or name."""
+    """Return whether a cell is a number, possibly with a unit or a side, rather than a date, club or name."""
     match = NUMBER.fullmatch(cell.strip())
     if match is None or len(match["before"]) > 2 or len(match["rest"]) > 6:
         return False
@@ -507,7 +511,7 @@ def _is_measurement(cell: str) -> bool:
 
 
 def _steps(cells: Any, column: FileColumn, decimal_comma: bool) -> Floats:
-    """Return the last place [SI] to which each cell of a column is written."""
+    """Return the value of the last digit [SI] of each cell in a column."""
     if _is_array(cells):
         return np.zeros(len(cells))
     point = "," if decimal_comma else "."

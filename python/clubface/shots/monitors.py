@@ -1,9 +1,9 @@
-"""The layouts of the files of launch monitors, ``FORMATS`` by name, and ``TABLE``, that of all other tables.
+"""The layouts of launch monitor files, ``FORMATS`` by name, and ``TABLE`` for all other tables.
 
-A layout is a file in ``data/monitors`` with the fields of :class:`Format`. ``TABLE`` is that of clubface's own tables
-and of those of programs whose columns are named as usual: its columns are those of the one vocabulary of quantities,
-:mod:`clubface.shots.tables.headings`. Nothing is known of whoever wrote them: every quantity must have a unit, and
-columns of the same quantity must agree.
+A layout is a file in ``data/monitors`` with the fields of :class:`Format`. ``TABLE`` covers clubface's own tables and
+those of other programs with the usual column names, using the common vocabulary of
+:mod:`clubface.shots.tables.headings`. As the program is unknown, every quantity must have a unit, and columns of the
+same quantity must agree.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from clubface.units import DIMENSIONLESS
 __all__ = ["FORMATS", "format_result", "formats_result"]
 
 _NAMES = ("trackman", "foresight", "foresight-2020", "garmin", "rapsodo", "flightscope", "gspro", "square")
-"""In the order in which they are listed and recognised."""
+"""Layouts in the order in which they are listed and recognised."""
 
 
 def _read(path: Path) -> Format:
-    """Return the layout that a file of the package describes."""
+    """Return the layout described by a file of the package."""
     given: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8"))
     fields = {
         name: Field(*each["headings"], unit=each.get("unit"), positive=each.get("positive"))
@@ -44,7 +44,7 @@ FORMATS: Mapping[str, Format] = Frozen({name: _read(DATA / "monitors" / f"{name}
 
 
 def _fields() -> dict[str, Field]:
-    """Return the columns of all that is measured, and of the properties of club and ball that a delivery may have."""
+    """Return the columns of all measured quantities and of club and ball properties."""
     dimensions = shot_words().dimensions
     headings = {name: quantity for name, (quantity, _) in common_names().items()}
     headings |= {plain(name): name for name in dimensions if name != HAND}
@@ -67,11 +67,11 @@ TABLE = Format(
     speed_at=CG,
     face_at=FACE,
 )
-"""Its club data is taken where models want it unless columns ``speed_at`` and ``face_at`` say otherwise."""
+"""The common layout; club data refers to the CG and face centre unless columns ``speed_at`` and ``face_at`` differ."""
 
 
 def formats_result() -> Result:
-    """Return the layouts that are read, by name; JSON and files also have their columns."""
+    """Return the known layouts by name; JSON and files also have their columns."""
     return Result(
         "monitor-formats",
         "Files of launch monitors",

@@ -1,15 +1,15 @@
 """GSPro Open Connect v1: the JSON messages that launch monitors and simulators exchange over a local socket.
 
-:class:`Listener` takes the place of the simulator and yields the shots of a monitor. :class:`Sender` takes the place of
-the monitor and sends launches to a simulator.
+:class:`Listener` acts as the simulator and yields a monitor's shots. :class:`Sender` acts as the monitor and sends
+launches to a simulator.
 
-The fields are those of the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph,
-angles in degrees, spin in rpm, and the carry in yards or metres as ``Units`` says. HLA, spin axis and sidespin are
-positive to the right. The page does not give the signs of the club data. Here path and face angle are positive to the
-right for either hand, the horizontal impact is positive towards the toe in mm, as connectors for the protocol write it,
-and the closure rate is in deg/s. Clients must send a number, so a zero of club speed, loft or closure rate, or zeros of
-both impact offsets, mean not measured. So does a value that no golf shot can have. Total spin and spin axis are
-required, backspin and sidespin are not.
+The fields follow the protocol's page (gsprogolf.com, "GSPro Open Connect v1 Documentation"): speeds in mph, angles in
+degrees, spin in rpm, and carry in yards or metres according to ``Units``. HLA, spin axis and sidespin are positive to
+the right. The page does not define signs for club data. Here path and face angle are positive to the right for either
+hand, the horizontal impact point is positive towards the toe in mm, as connectors for the protocol write it, and the
+closure rate is in deg/s. Clients must send a number, so zero club speed, loft or closure rate, or zeros for both impact
+offsets, mean not measured; so do impossible values. Total spin and spin axis are required, backspin and sidespin are
+not.
 """
 
 from __future__ import annotations
@@ -52,18 +52,18 @@ __all__ = [
 ]  # fmt: skip
 
 PORT = 921
-"""The port of GSPro; ports below 1024 need rights on some systems."""
+"""GSPro's port; ports below 1024 need special rights on some systems."""
 MOST_CLIENTS = 8
 TICK = 0.05
-"""Longest wait before the clock and the request to stop are looked at [s]."""
+"""Longest wait before checking the clock and the stop request [s]."""
 NO_ANSWER = "did not answer"
-"""How the message about a shot begins that may have arrived all the same."""
+"""Beginning of the error for a shot that may have arrived nevertheless."""
 PARTIAL = 5.0
-"""Time after which a message that has begun and not ended is given up [s]."""
+"""Time after which an unfinished message is dropped [s]."""
 SILENT = 10.0
-"""Time after which a connection that has not sent one message is closed [s]."""
+"""Time after which a connection that has sent no message is closed [s]."""
 IDLE = 1800.0
-"""The same since its last message for one that has [s]: people talk and eat, and not every monitor sends heartbeats."""
+"""Idle time after which any other connection is closed [s]; long, as not every monitor sends heartbeats."""
 
 VERSION = "1"
 BALL = {
@@ -87,16 +87,16 @@ CLUB = {
     "HorizontalFaceImpact": ("toe", "mm"),
     "ClosureRate": ("closure", "deg/s"),
 }
-"""The quantity and unit of each field; of the club, ``SpeedAtImpact`` is not used."""
+"""Quantity and unit of each field; the club's ``SpeedAtImpact`` is not used."""
 NEEDED = ("Speed", "HLA", "VLA")
-"""Fields without which there is no launch."""
+"""Fields required for a launch."""
 NEVER_ZERO = ("speed", "loft", "closure")
-"""Quantities of the club that are zero only where they were not measured."""
+"""Club quantities for which zero means not measured."""
 CARRY_UNITS = {
     **dict.fromkeys(("yards", "yard", "yds", "yd"), "yd"),
     **dict.fromkeys(("meters", "metres", "meter", "metre", "m"), "m"),
 }
-"""What ``Units`` may say, and the unit of the carry that it means."""
+"""Unit of carry by the value of ``Units``."""
 OK, PLAYER, FAILED = 200, 201, 501
 HANDS = {"right": "RH", "left": "LH"}
 
@@ -104,13 +104,13 @@ HANDS = {"right": "RH", "left": "LH"}
 def from_json(data: Mapping[str, Any]) -> Message:
     """Return the message in a JSON object.
 
-    A field of the club, of the spin or the carry that holds no number costs that field; so do values that no shot can
-    have, and spins that contradict others. The message says so in ``notes`` and ``impossible``.
+    Club, spin and carry fields that are not numbers, impossible values, and contradictory spins are left out and
+    reported in ``notes`` and ``impossible``.
 
     Raises
     ------
     MessageError
-        A field without which there is no shot is missing or wrong; the text names it.
+        A required field is missing or wrong; the text names it.
     """
     options: Mapping[str, Any] = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in
                                   ("BallData", "ClubData")}  # fmt: skip
@@ -202,11 +202,11 @@ def to_json(
     Parameters
     ----------
     launch
-        A :class:`Launch` of a single shot, or a mapping of SI values or texts with units: ``ball_speed``, ``launch``,
+        A :class:`Launch` of a single shot, or a mapping of SI values or text with units: ``ball_speed``, ``launch``,
         and if known ``azimuth``, ``carry`` and two of ``backspin``, ``sidespin``, ``total_spin`` and ``spin_axis``. The
-        message must hold all four; a warning says what is assumed where they do not follow.
+        message needs all four; a warning reports what is assumed if they cannot be derived.
     delivery
-        The same for the club. If left out: the delivery of a :class:`Launch`, or none.
+        The same for the club; default the delivery of a :class:`Launch`, or none.
     shot_number, device
         Shot number and device name in the message.
     """
@@ -224,14 +224,14 @@ def to_json(
 
 
 def heartbeat(*, device: str = "clubface", is_ready: bool = True) -> dict[str, Any]:
-    """Return the message by which a monitor shows that it is there."""
+    """Return the heartbeat message of a monitor."""
     return _outgoing(device, 0, {}, is_ready=is_ready)
 
 
 def _outgoing(
     device: str, shot_number: int, parts: Mapping[str, Mapping[str, float]], *, is_ready: bool = True
 ) -> dict[str, Any]:
-    """Return the message of a shot with the data of ball and club, or a heartbeat without any."""
+    """Return the message of a shot with ball and club data, or a heartbeat without data."""
     return {
         "DeviceID": device,
         "Units": "Yards",
@@ -249,14 +249,14 @@ def _outgoing(
 
 
 class Dialect(NamedTuple):
-    """How monitors and simulators talk over a socket in one protocol."""
+    """One protocol between monitors and simulators over a socket."""
 
-    name: str  # of the protocol
-    port: int  # its usual one
-    read: Callable[[Mapping[str, Any]], Message]  # from a JSON object; raises MessageError
-    answer: Callable[[Message], dict[str, Any] | None]  # to a message; None for nothing
-    refusal: Callable[[str], dict[str, Any]]  # to a message that cannot be used, with the reason
-    ending: bytes = b""  # of an answer
+    name: str  # name of the protocol
+    port: int  # default port
+    read: Callable[[Mapping[str, Any]], Message]  # reads a JSON object; raises MessageError
+    answer: Callable[[Message], dict[str, Any] | None]  # returns the answer to a message, or None
+    refusal: Callable[[str], dict[str, Any]]  # returns the answer to an invalid message, from the reason
+    ending: bytes = b""  # end of every answer
 
 
 OPEN_CONNECT = Dialect(
@@ -267,7 +267,7 @@ OPEN_CONNECT = Dialect(
     lambda reason: {"Code": FAILED, "Message": reason},
 )
 _WEB = re.compile(rb"(?:GET|HEAD|POST|PUT|DELETE|OPTIONS|PATCH|CONNECT|TRACE) ")
-"""How what a browser sends begins: a page on the web must not make up shots."""
+"""Beginning of a web request: a web page must not be able to send fake shots."""
 
 
 class _Client:
@@ -283,28 +283,27 @@ class _Client:
 
 
 class Listener:
-    """Listens for launch monitors on the local machine; iterate over :meth:`messages`, in a ``with`` statement.
+    """Listens for launch monitors; iterate over :meth:`messages` in a ``with`` statement.
 
-    A shot is answered with code 200 once ``keep`` has returned, and a message that cannot be used with code 501 and the
-    reason. Heartbeats and states are not answered. Several monitors may be connected at once, and may come and go. A
-    connection that sends no message is closed after 10 s, one that has sent some after half an hour; and where all
-    places are taken, the one that has been silent longest, and for 10 s, makes room.
+    A shot is answered with code 200 once ``keep`` has returned, an invalid message with code 501 and the reason.
+    Heartbeats and states are not answered. Several monitors may be connected at once. A connection without any message
+    is closed after 10 s, any other after half an hour of silence. If all places are taken, the connection silent for
+    longest, and for at least 10 s, makes room.
 
     Parameters
     ----------
     port
-        The port. 0 takes a free one, which is then the attribute ``port``.
+        The port; 0 picks a free one, given by the attribute ``port``.
     host
-        The address to listen on. Other machines can reach the listener only if this is not the default.
+        The address to listen on; by default other machines cannot reach the listener.
     hand, club
-        What every monitor that connects receives, with code 201: "right" or "left", and the club's short name, such as
+        Player information sent to every monitor, with code 201: "right" or "left", and the club's short name, such as
         "DR".
     keep
         Called with every shot before it is acknowledged. If it raises, the shot is answered with code 501, and the
         error ends the iteration.
     on_problem
-        Called with a sentence for bytes that are not a message, for values that no shot can have, and when a monitor
-        connects or leaves.
+        Called with a sentence for invalid messages, for impossible values, and when a monitor connects or leaves.
     dialect
         The protocol.
 
@@ -345,7 +344,7 @@ class Listener:
         self.close()
 
     def stop(self) -> None:
-        """End the iteration over messages. Another thread may call this."""
+        """End the iteration over messages; may be called from another thread."""
         self._stopped = True
 
     def close(self) -> None:
@@ -358,7 +357,7 @@ class Listener:
         self._selector.close()
 
     def messages(self, *, timeout: float | None = None) -> Iterator[Message]:
-        """Yield every message as it comes, until :meth:`stop`, or until none came for ``timeout`` seconds."""
+        """Yield messages as they arrive, until :meth:`stop` or ``timeout`` seconds [s] without one."""
         last = time.monotonic()
         while not self._stopped:
             for key, _ in self._selector.select(TICK):
@@ -370,7 +369,7 @@ class Listener:
                     yield message
                     if self._stopped:
                         return
-            self._tend()
+            self._close_stale()
             if timeout is not None and time.monotonic() - last > timeout:
                 return
 
@@ -383,7 +382,7 @@ class Listener:
         except OSError:
             return
         name = f"{address[0]}:{address[1]}"
-        if len(self._clients()) >= MOST_CLIENTS and not self._made_room():
+        if len(self._clients()) >= MOST_CLIENTS and not self._make_room():
             self._report(f"{name} was turned away: {MOST_CLIENTS} monitors are connected")
             connection.close()
             return
@@ -436,7 +435,7 @@ class Listener:
             yield message
 
     def _answer(self, client: _Client, answer: dict[str, Any]) -> None:
-        """Send an answer; a client that does not read is dropped rather than waited for."""
+        """Send an answer; a client that does not read it is disconnected."""
         try:
             client.connection.sendall(json.dumps(answer).encode() + self._dialect.ending)
         except OSError as error:
@@ -448,16 +447,16 @@ class Listener:
             self._report(f"{client.name} {how}")
         client.connection.close()
 
-    def _made_room(self) -> bool:
-        """Close the connection that has been silent longest, if it is long; return whether there is room."""
+    def _make_room(self) -> bool:
+        """Close the connection silent for longest, if for long enough; return whether there is room."""
         quietest = min(self._clients(), key=lambda client: client.spoke)
         if time.monotonic() - quietest.spoke <= SILENT:
             return False
         self._leave(quietest, "was silent longest, and makes room for another")
         return True
 
-    def _tend(self) -> None:
-        """Give up messages that do not end, and close connections that have been silent for too long."""
+    def _close_stale(self) -> None:
+        """Drop unfinished messages, and close connections that have been silent for too long."""
         now = time.monotonic()
         for client in self._clients():
             if client.stream.is_partial and now - client.heard > PARTIAL:
@@ -481,21 +480,21 @@ class Reply(NamedTuple):
 
 
 class Sender:
-    """Sends shots to a simulator on the local machine, as a launch monitor does; use it in a ``with`` statement.
+    """Sends shots to a simulator as a launch monitor does; use it in a ``with`` statement.
 
     Parameters
     ----------
     port, host
-        Where the simulator listens.
+        Address of the simulator.
     device
-        The device name in the messages.
+        Device name in the messages.
     timeout
-        How long to wait for the connection and for each answer [s].
+        Maximum wait for the connection and for each answer [s].
 
     Attributes
     ----------
     player
-        What the simulator last said about its player, as ``{"Handed": "RH", "Club": "DR"}``, or None.
+        The simulator's latest player information, as ``{"Handed": "RH", "Club": "DR"}``, or None.
 
     Raises
     ------
@@ -527,7 +526,7 @@ class Sender:
         """Send a shot, as :func:`to_json` takes it, with the next shot number, and return the answer."""
         message = to_json(launch, delivery, shot_number=self._number + 1, device=self._device)
         self._number += 1
-        self._receive(0.0)  # what came before is no answer to this shot
+        self._receive(0.0)  # earlier messages are not the answer to this shot
         self._connection.send(message)
         ends = time.monotonic() + self._timeout
         while (left := ends - time.monotonic()) > 0.0:
@@ -537,11 +536,11 @@ class Sender:
         raise LinkError(self._connection.address, f"{NO_ANSWER} shot {self._number} within {self._timeout:g} s")
 
     def heartbeat(self, *, is_ready: bool = True) -> None:
-        """Show the simulator that the monitor is there; the simulator does not answer."""
+        """Send a heartbeat, which the simulator does not answer."""
         self._connection.send(heartbeat(device=self._device, is_ready=is_ready))
 
     def _receive(self, wait: float) -> list[Reply]:
-        """Return the answers that came within ``wait`` seconds [s]; the player that they name is kept."""
+        """Return the answers received within ``wait`` [s], and store player information."""
         received = []
         for answer in self._stream.feed(self._connection.receive(wait)):
             if isinstance(answer, Broken):

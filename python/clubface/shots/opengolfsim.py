@@ -1,9 +1,9 @@
-"""The messages of OpenGolfSim's Developer API, which monitors send to the simulator, a JSON object a line over TCP.
+"""Messages of OpenGolfSim's Developer API, from monitors to the simulator: one JSON object per line over TCP.
 
-The fields are those of help.opengolfsim.com, *Shot Data API*: ``ballSpeed`` in mph, or in m/s where ``unit`` is metric,
-angles in degrees and ``spinSpeed`` in rpm. ``spinAxis`` is positive to the right, as the example of the page says, and
-``horizontalLaunchAngle`` is taken so too. There is no club data and no number of a shot. The page names no answers; the
-simulator sends ``{"status": 200}``, or 400 with an error.
+The fields follow help.opengolfsim.com, *Shot Data API*: ``ballSpeed`` in mph, or m/s if ``unit`` is metric, angles in
+degrees and ``spinSpeed`` in rpm. ``spinAxis`` is positive to the right, according to the page's example, and
+``horizontalLaunchAngle`` is assumed to be. There are no club data and no shot number. The page documents no answers;
+the simulator sends ``{"status": 200}``, or 400 with an error.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from clubface.units import from_si
 
 PORT = 3111
 DEVICE = "OpenGolfSim"
-"""What a monitor is called that gives no name."""
+"""Name for monitors, which the protocol does not name."""
 UNITS = {"imperial": "mph", "metric": "m/s"}
 FIELDS = {
     "ballSpeed": ("ball_speed", "mph"),
@@ -29,7 +29,7 @@ FIELDS = {
     "spinSpeed": ("total_spin", "rpm"),
     "spinAxis": ("spin_axis", "deg"),
 }
-"""The quantity and unit of each field of a shot."""
+"""Quantity and unit of each field of a shot."""
 LINE_END = b"\n"
 NEEDED = ("ballSpeed", "verticalLaunchAngle", "horizontalLaunchAngle")
 
@@ -40,7 +40,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
     Raises
     ------
     MessageError
-        It is neither a shot nor the state of a device; the text names the field at fault.
+        It is neither a shot nor a device state; the text names the field at fault.
     """
     kind = data.get("type")
     if kind == "device":
@@ -58,7 +58,7 @@ def from_json(data: Mapping[str, Any]) -> Message:
     given = numbers_of(shot, FIELDS, "shot.", notes, NEEDED)
     if not given["ballSpeed"] > 0.0:
         raise MessageError("shot.ballSpeed must be above 0")
-    if given.get("spinSpeed") == 0.0 == given.get("spinAxis", 0.0):  # as of a monitor that measures none
+    if given.get("spinSpeed") == 0.0 == given.get("spinAxis", 0.0):  # from a monitor that does not measure spin
         given = {name: value for name, value in given.items() if not name.startswith("spin")}
     fields = FIELDS | {"ballSpeed": ("ball_speed", UNITS[unit])}
     return shot_message(Message(kind="shot", device=DEVICE, launch=in_si(given, fields), notes=tuple(notes)))
@@ -67,8 +67,8 @@ def from_json(data: Mapping[str, Any]) -> Message:
 def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
     """Return the message of a shot.
 
-    The launch is in SI, with ``ball_speed`` and ``launch`` at the least; the spin by any two of its quantities, and a
-    warning says what is assumed where it does not follow.
+    The launch is in SI, with at least ``ball_speed`` and ``launch``, and any two of the spin quantities; a warning
+    reports what is assumed if these are missing.
 
     Raises
     ------
@@ -94,7 +94,7 @@ OPENGOLFSIM = Dialect(
 
 
 class OpenGolfSimSender:
-    """Sends shots to the simulator on this machine; no answer is waited for, as the page names none.
+    """Sends shots to the simulator, without waiting for answers, since none are documented.
 
     Raises
     ------
@@ -108,7 +108,7 @@ class OpenGolfSimSender:
 
     def send(self, launch: Mapping[str, float], delivery: object = None) -> None:
         """Send a launch; the protocol has no club data."""
-        self._connection.receive(0.0)  # what came is not needed, but a connection that was closed is noticed here
+        self._connection.receive(0.0)  # the data are ignored, but a closed connection is noticed here
         self._connection.send(to_json(launch), LINE_END)
 
     def close(self) -> None:

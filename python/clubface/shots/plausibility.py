@@ -1,12 +1,12 @@
-"""The values that can have been measured at all: any other means "not measured", or is a slip.
+"""Plausibility of measured values: an impossible one means "not measured" or is an error.
 
-Programs of launch monitors write many things where nothing was measured: the least whole number that they can hold, the
-greatest, -999, a negative ratio. They do not publish which, so a value is judged by what a golf shot can be. The limits
-are wide: they are no judgement of a player.
+Launch monitor programs write many things for missing values: the smallest or largest integer, -999, a negative ratio.
+They do not document which, so values are judged by what a golf shot can have. The limits are wide and do not judge the
+player.
 
-Values that no shot can have are the strongest sign of a wrong unit, and so are quantities that contradict each other in
-most shots: a ball faster than any club can send it, a carry longer than any ball of that speed can fly. Where another
-unit would make them those of golf, the column is refused, and the unit is named.
+Impossible values are the strongest sign of a wrong unit. So are quantities that contradict each other in most shots: a
+ball faster than any club can hit it, or a carry longer than any ball of that speed can fly. If another unit would give
+plausible values, the column is refused and the unit is named.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ from clubface.support.arrays import Floats
 from clubface.units import SI_UNITS, show, size, to_si, unit
 
 _SPEED = to_si(200.0, "mph")
-"""The fastest clubs of long drive contests reach about 160 mph."""
+"""Upper limit of club speed; long drive contests reach about 160 mph."""
 _BALL_SPEED = 2.0 * _SPEED
-"""A heavy body that hits a light one elastically sends it off at twice its own speed: nothing sends it off faster."""
+"""Upper limit of ball speed: an elastic collision with a very heavy body gives twice its speed."""
 _SPIN = to_si(20_000.0, "rpm")
-"""A ball that rolls off the steepest wedge at 50 m/s without slipping turns with 14,000 rpm."""
+"""Upper limit of spin; a ball rolling off the most lofted wedge at 50 m/s without slip has 14,000 rpm."""
 _STILL = to_si(2.0, "rpm")
-"""A ball with less spin was not measured: programs write 0 or -1 then."""
+"""Spin below this means not measured; programs write 0 or -1 then."""
 _RATE = to_si(36_000.0, "deg/s")
-"""A club that goes round a hundred times a second; faces close at 1,000 to 4,000 deg/s."""
+"""Upper limit of rotation rates, a hundred turns per second; faces close at 1,000 to 4,000 deg/s."""
 _FACE = to_si(150.0, "mm")
-"""No face is wider than 127 mm, the limit of the rules, so that no point of it is so far from its centre."""
+"""Upper limit of impact offsets; the rules limit the width of a head to 127 mm."""
 _FAR = to_si(600.0, "yd")
 _RIGHT_ANGLE, _TURN = math.pi / 2, math.pi
 _SOME = 1e-6
-"""More than nothing [SI]: a club that hits moves, the ball moves then, and no ball leaves without any spin at all."""
+"""Lower limit [SI] of quantities that must be positive: club speed, ball speed, total spin."""
 
 RANGES: Mapping[str, tuple[float, float]] = {
     "speed": (_SOME, _SPEED),
@@ -59,23 +59,23 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "flight_time": (0.0, 60.0),
     "landing_speed": (0.0, _BALL_SPEED),
 }
-"""The least and the greatest value [SI] that a shot can have of each quantity; others are not judged."""
+"""Possible range of each quantity [SI]; others are not judged."""
 TURNING = ("azimuth", "spin_axis")
-"""Directions that some programs count through a whole turn: 352.5 degrees is -7.5."""
+"""Directions that some programs give from 0 to 360 degrees: 352.5 degrees is -7.5."""
 RATIOS: Mapping[str, float] = {"driver": 1.6, "wood": 1.6, "hybrid": 1.6, "iron": 1.55, "wedge": 1.4, "putter": 1.8}
-"""The most that ball speed over club speed can be, by kind of club.
+"""Largest possible smash factor, by kind of club.
 
-A head of mass M that is free sends a ball of mass m off at (1 + e) M / (M + m) cos(loft) times its own speed. A driver
-(200 g, e up to 0.86 with the tolerance of the rules) makes 1.51, a long iron 1.48, a wedge that delivers 38 degrees
-1.22, a putter (350 g, e 0.85) 1.64. On top come 5 to 10% for the errors of both speeds.
+A free head of mass M gives a ball of mass m a speed of (1 + e) M / (M + m) cos(loft) times its own. A driver (200 g, e
+up to 0.86 with the tolerance of the rules) reaches 1.51, a long iron 1.48, a wedge delivered with 38 degrees 1.22, a
+putter (350 g, e 0.85) 1.64. 5 to 10% are added for the errors of both speeds.
 """
 MOST_RATIO, MOST_PUTTED = RATIOS["driver"], RATIOS["putter"]
 PUTTED = 12.0
-"""Ball speed [m/s] below which a club that is not named may be a putter."""
+"""Ball speed [m/s] below which an unnamed club may be a putter."""
 
 
 def can_be(name: str, values: Any) -> Any:
-    """Return which values [SI] of a quantity a golf shot can have; NaN, nothing measured, counts as one."""
+    """Return whether values [SI] of a quantity are possible in a golf shot; NaN counts as possible."""
     low, high = RANGES.get(name, (-math.inf, math.inf))
     return (
         ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
@@ -83,12 +83,12 @@ def can_be(name: str, values: Any) -> Any:
 
 
 def within_turn(name: str, values: Any) -> Any:
-    """Return values [SI] of a quantity; directions that programs count from 0 to 360 degrees from -180 to 180."""
+    """Return values [SI] of a quantity, with directions wrapped to -180 to 180 degrees."""
     return wrapped(values) if name in TURNING else values
 
 
 def impossible(values: Mapping[str, float]) -> dict[str, float]:
-    """Return which values [SI] of one shot cannot have been measured; see :func:`without_impossible`."""
+    """Return the impossible values [SI] of one shot; see :func:`without_impossible`."""
     values = {name: float(within_turn(name, value)) for name, value in values.items()}
     still = abs(values.get("backspin", math.inf)) < _STILL and abs(values.get("sidespin", math.inf)) < _STILL
     spins = ("backspin", "sidespin") if still else ()
@@ -96,7 +96,7 @@ def impossible(values: Mapping[str, float]) -> dict[str, float]:
 
 
 def shown(name: str, value: float, unit: str | None = None) -> str:
-    """Return a value [SI] of a quantity as people read it, or in a unit."""
+    """Return a value [SI] of a quantity as text in its usual unit, or in ``unit``."""
     if unit is not None:
         return show(value, unit)
     unit = display_unit(name, SI_UNITS[shot_words().dimensions[name]])
@@ -104,12 +104,12 @@ def shown(name: str, value: float, unit: str | None = None) -> str:
 
 
 def impossible_note(name: str, wrong: int, shots: int, example: float) -> Note:
-    """Return the note on a quantity that has values that cannot be in some shots, such as ``example`` [SI]."""
+    """Return the note on a quantity with impossible values in some shots, such as ``example`` [SI]."""
     return note("impossible-values", example={name: example}, wrong=wrong, shots=shots)
 
 
 def without_impossible(columns: Mapping[str, Floats]) -> tuple[dict[str, Floats], list[Note]]:
-    """Return columns of shots [SI] with NaN for values that no golf shot can have, and a note on each such column."""
+    """Return columns of shots [SI] with NaN for impossible values, and a note on each such column."""
     kept, notes = {name: within_turn(name, values) for name, values in columns.items()}, []
     wrong = {name: ~can_be(name, values) for name, values in kept.items()}
     if "backspin" in kept and "sidespin" in kept:
@@ -126,10 +126,10 @@ def without_impossible(columns: Mapping[str, Floats]) -> tuple[dict[str, Floats]
 def without_contradictions(
     columns: Mapping[str, Floats], clubs: Any, lines: Sequence[int]
 ) -> tuple[dict[str, Floats], Note | None]:
-    """Return columns of shots [SI] without speeds that no club makes of each other, and a note on them.
+    """Return columns of shots [SI] without club and ball speeds that contradict each other, and a note on them.
 
-    Where the ball is faster than the club can send it, either speed may be wrong, so that neither is taken as measured,
-    and no smash factor.
+    If the ball is faster than the club can hit it, either speed may be wrong, so both are dropped, with the smash
+    factor.
     """
     if not {"speed", "ball_speed"} <= set(columns):
         return dict(columns), None
@@ -154,9 +154,9 @@ def without_contradictions(
 
 
 FEWEST = 3
-"""Shots in which two quantities must contradict each other."""
+"""Minimum number of shots for comparing two quantities."""
 SMASH_DIFFERS = 0.1
-"""Relative difference of a printed smash factor from that of the speeds, ten times what rounding does."""
+"""Relative difference between printed and computed smash factor that shows an error, ten times that of rounding."""
 IN_USE = {
     "speed": ("mph", "m/s", "km/h", "ft/s"),
     "angle": ("deg", "rad"),
@@ -164,7 +164,7 @@ IN_USE = {
     "angular rate": ("rpm", "rad/s", "deg/s"),
     "dimensionless": ("1", "%"),
 }
-"""Units in which shots are written."""
+"""Units used in files of shots."""
 _DEG, _YD, _RPM = (size(symbol) for symbol in ("deg", "yd", "rpm"))
 USUAL: Mapping[str, tuple[float, float]] = {
     "speed": (8.0, 65.0),
@@ -183,18 +183,18 @@ USUAL: Mapping[str, tuple[float, float]] = {
     **dict.fromkeys(("side", "total_side"), (-100.0 * _YD, 100.0 * _YD)),
     "apex": (1.0, 80.0),
 }
-"""Where golf shots lie [SI], most of them."""
+"""Range of most golf shots [SI]."""
 _RATIO = (0.9, 1.55)
-"""Ball speed over club speed of most shots."""
+"""Range of the smash factor in most shots."""
 _GRAVITY = 9.81
 _FURTHEST = 4.5
-"""Seconds of its first speed that the carry of a ball lasts at most: those of long drive contests make 3.8."""
+"""Upper limit of carry over initial ball speed [s]; long drive contests reach 3.8."""
 _CARRIES = (0.9, 4.0)
-"""The same of most shots [s]."""
+"""Range of carry over ball speed in most shots [s]."""
 
 
 def wrong_unit(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> str | None:
-    """Return what is wrong with the unit of a column and which it most likely is; None where all go together."""
+    """Return what is wrong with a column's unit and which unit is more likely; None if all units fit."""
     return next(_wrong(columns, units), None)
 
 
@@ -231,7 +231,7 @@ def _wrong(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> It
         )  # fmt: skip
     if {"carry", "ball_speed"} <= set(columns):
         ball = np.where(columns["ball_speed"] > 0.0, columns["ball_speed"], math.nan)
-        # Without air a ball flies v2/g at most; what lift adds for fast balls, drag more than takes.
+        # Without air the largest range is v2/g; for fast balls drag takes more than lift adds.
         furthest = np.minimum(1.3 * ball**2 / _GRAVITY, _FURTHEST * ball)
         typical = float(np.nanmedian(ball)) if np.isfinite(ball).any() else math.nan
         yield from _contradiction(
@@ -249,7 +249,7 @@ def _contradiction(
     units: Mapping[str, FileColumn],
     message: str,
 ) -> Iterator[str]:
-    """Yield what is wrong where most values are, and another unit of one of the quantities makes their median usual."""
+    """Yield what is wrong if the median is, and another unit of one of the quantities would make it usual."""
     known = values[np.isfinite(values)]
     if known.size < FEWEST:
         return
@@ -267,7 +267,7 @@ def _contradiction(
 
 
 def _others(current: FileColumn) -> list[tuple[str, float]]:
-    """Return the other units of the dimension of a column, and by what values must be multiplied to be in them."""
+    """Return other units of a column's dimension, and the factor by which its values change with each."""
     return [
         (each, size(each) / size(current.unit))
         for each in IN_USE.get(unit(current.unit).dimension, ())
@@ -293,20 +293,20 @@ SENTINELS = (
     999.0, 999.9, 9999.0, 9999.9, 99999.0, 32767.0, 32768.0, 65535.0, 65536.0, 8388607.0, 16777215.0, 16777216.0,
     2147483647.0, 2147483648.0, 4294967295.0,
 )  # fmt: skip
-"""With either sign: the greatest and least numbers of so many digits or bits."""
+"""Placeholders, with either sign: largest and smallest numbers of so many digits or bits."""
 NEVER = {"sidespin": 9000.0, "closure": 9000.0, "backspin": 9000.0}
-"""From which number [rpm, deg/s] a sentinel is no measurement, though within the limits; backspin only below zero."""
+"""Size [rpm, deg/s] from which a sentinel within the limits is not a measurement; backspin only if negative."""
 ROUNDING = to_si(1.6, "deg")
-"""Difference of three angles that are rounded to whole degrees."""
+"""Tolerance between three angles rounded to whole degrees."""
 
 
 def without_sentinels(
     columns: Mapping[str, Floats], units: Mapping[str, FileColumn]
 ) -> tuple[dict[str, Floats], list[Note]]:
-    """Return columns [SI] without sentinels that may pass for a measurement but are none, and a note on each.
+    """Return columns [SI] without sentinels that could pass for measurements, and a note on each.
 
-    ``units`` are those in which each quantity was written. Sentinels that no shot can have are left to
-    :func:`clubface.shots.plausibility.without_impossible`, which takes out all such values.
+    ``units`` gives the unit of each quantity in the file. Impossible sentinels are left to
+    :func:`clubface.shots.plausibility.without_impossible`.
     """
     kept, notes = dict(columns), []
     for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):
@@ -324,7 +324,7 @@ def without_sentinels(
 
 
 def without_any_sentinels(columns: Mapping[str, Floats], units: Mapping[str, FileColumn]) -> dict[str, Floats]:
-    """Return columns [SI] without whatever looks like a sentinel and no shot can have: it says nothing of the unit."""
+    """Return columns [SI] without impossible sentinels, which say nothing about the unit."""
     sizes = {name: size(column.unit) for name, column in units.items() if name in columns}
     return dict(columns) | {
         name: np.where(_are_sentinels(columns[name] / each) & ~can_be(name, columns[name]), np.nan, columns[name])
@@ -337,10 +337,10 @@ def _are_sentinels(written: Floats) -> NDArray[np.bool_]:
 
 
 def with_face_and_path(columns: Mapping[str, Floats], lines: list[int]) -> tuple[dict[str, Floats], Note | None]:
-    """Return columns [SI] without face to path but with what follows from it, and a note on contradictions.
+    """Return columns [SI] with face to path replaced by face angle and path, and a note on contradictions.
 
-    With the path it gives the face angle, and with the face angle the path, where they were not measured. Where all
-    three were measured and do not go together, face angle and path stay.
+    It supplies a missing face angle from the path, or a missing path from the face angle. If all three were measured
+    and disagree, face angle and path stay.
     """
     completed = dict(columns)
     if FACE_TO_PATH not in completed:

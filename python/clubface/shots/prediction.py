@@ -1,4 +1,4 @@
-"""Launches for a file of deliveries of any length: read, computed and written a chunk at a time."""
+"""Predicting launches for a file of deliveries of any length, a chunk at a time."""
 
 from __future__ import annotations
 
@@ -49,19 +49,19 @@ FLIGHT_COLUMNS = {
     "landing_deg": ("landing_angle", "deg"),
 }  # fmt: skip
 CONTACT_COLUMNS = {"contact_time_s": ("contact_time", "s"), "peak_force_n": ("peak_force", "N")}
-"""Columns written: quantity and unit by heading."""
+"""Quantity and unit of the columns written, by heading."""
 
 COUNTS = ("rows", "written", "rejected")
-"""What is counted: rows read, written and rejected."""
+"""Names of the counts: rows read, written and rejected."""
 
 PREFIX = "predicted_"
-"""Put before the headings written where the file has one of them already."""
+"""Prefix of the headings written if the file already has one of them."""
 
 REJECTS = ".rejects.csv"
-"""How the name of the rejects of a chunk ends."""
+"""Ending of the file of a chunk's rejects."""
 
 SHOWN = 20
-"""Rejects a report shows."""
+"""Maximum number of rejects in a report."""
 
 
 def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
@@ -72,29 +72,29 @@ def results_of(model: str, carry: bool) -> dict[str, tuple[str, str]]:
 
 @dataclass(frozen=True, kw_only=True)
 class PredictionTask:
-    """From a chunk of a file to the columns of its launches."""
+    """Computes the columns of launches for a chunk of a file."""
 
     shot: dict[str, Any]  # arguments of impact
-    flight: dict[str, Any] | None  # those of fly, None for no flights
+    flight: dict[str, Any] | None  # arguments of fly, None for no flights
     hand: float
     columns: ColumnLayout
     results: Mapping[str, tuple[str, str]]  # quantity and unit of each column to write
     provenance: Mapping[str, Any]
-    content: str = ""  # of recorded shots
+    content: str = ""  # fingerprint of recorded shots
 
     @cached_property
     def headings(self) -> tuple[str, ...]:
-        """The headings of the columns to write, with a prefix where the file has one of them already."""
+        """Headings of the columns to write, with a prefix if the file already has one of them."""
         prefix = ""
         while any(prefix + heading in self.columns.headings for heading in self.results):
             prefix += PREFIX
         return tuple(prefix + heading for heading in self.results)
 
     def content_of(self, source: Path) -> dict[str, Any]:
-        """Return what a run depends on, by the names that its errors use."""
+        """Return everything a run depends on, by the names used in errors."""
         shot, ball = self.shot, self.shot["ball"]
         law = source_of(shot["model"])
-        # The club itself and not its inputs: a meshed one is more than the mass and inertia of its mesh.
+        # The club itself rather than its inputs: a meshed club is more than its mass and inertia.
         equipment = [shot["club"], ball.inputs() if isinstance(ball, Ball) else ball.values()]
         return {
             "source": input_file(source).sha256,
@@ -107,8 +107,8 @@ class PredictionTask:
         }
 
     def compute(self, chunk: Chunk) -> tuple[list[int] | None, list[NDArray[Any]], list[Reject], Tally]:
-        """Return the rows that have a launch (None: all), their results, the other rows, and those out of range."""
-        # Of recorded shots they are left out already.
+        """Return the rows with a launch (None: all), their results, the rejected rows, and shots out of range."""
+        # Recorded shots have no summary rows left.
         reasons = {} if self.content else summaries_in(chunk, self.columns)
         values: dict[str, NDArray[Any]] = {}
         for column in self.columns.used:
@@ -155,9 +155,9 @@ class PredictionTask:
 class PredictionOutcome(NamedTuple):
     """The outcome of a run."""
 
-    counts: Mapping[str, int]  # rows read, written and rejected, by earlier runs as well
-    first_rejects: tuple[tuple[int, str], ...]  # their lines and reasons
-    tally: Tally  # of shots outside the range of the model
+    counts: Mapping[str, int]  # rows read, written and rejected, including earlier runs
+    first_rejects: tuple[tuple[int, str], ...]  # line and reason of the first rejects
+    tally: Tally  # tally of shots outside the model's range
     resumed: int  # rows done by earlier runs
 
 
@@ -169,7 +169,7 @@ def run(
     progress: Callable[[float, int], object] | None,
     resume: bool,
 ) -> PredictionOutcome:
-    """Compute the rows of a file; ``paths`` are those of the file, the output and the rejects."""
+    """Compute the rows of a file; ``paths`` are the source, the output and the rejects."""
     source, target, rejects_path = paths
     table, headings = opened.table, task.columns.headings
     form: OutputFormat = (
@@ -180,13 +180,13 @@ def run(
     rejects_form = RejectsForm(headings, table.delimiter, table.counts)
     folder = unfinished_folder(target, [source, rejects_path])
     with Store(folder, task.content_of(source), output=target, resume=resume) as store:
-        names = _kept(store, target.suffix)
+        names = _stored_chunks(store, target.suffix)
         resumed = done = sum(store[each]["rows"] for each in names)
         try:
             for chunk in opened.chunks(chunk_rows, done):
                 read = len(chunk.lines) + len(chunk.ragged)
                 names.append(name := f"{done:012d}+{read}")
-                if _pieces(store, name, target.suffix) is None:
+                if _chunk_files(store, name, target.suffix) is None:
                     rows, results, rejects, tally = task.compute(chunk)
                     form.piece(piece := BytesIO(), chunk, rows, results)
                     sums = [store.keep_part(name + target.suffix, piece.getvalue())]
@@ -214,19 +214,21 @@ def run(
             tally.add_counts(chunk["outside"])
         if counts["rejected"]:
             store.write_result(
-                rejects_path, lambda file: rejects_form.whole(file, _whole_pieces(store, names, target.suffix, 1))
+                rejects_path, lambda file: rejects_form.whole(file, _all_chunk_files(store, names, target.suffix, 1))
             )
         else:
-            # Rejects of an earlier run are removed: they belong to another file.
+            # Rejects of an earlier run belong to another file and are removed.
             rejects_path.unlink(missing_ok=True)
-        store.write_result(target, lambda file: form.whole(file, _whole_pieces(store, names, target.suffix, 0)))
+        store.write_result(target, lambda file: form.whole(file, _all_chunk_files(store, names, target.suffix, 0)))
         store.remove()
     return PredictionOutcome(counts, tuple(shown[:SHOWN]), tally, resumed)
 
 
-def _kept(store: Store, ending: str) -> list[str]:
-    """Return the names of the chunks that are kept, one after the other from the first row on."""
-    by_first = {store[name]["first"]: name for name in store if store[name]["rows"] and _pieces(store, name, ending)}
+def _stored_chunks(store: Store, ending: str) -> list[str]:
+    """Return the names of the stored chunks that follow each other from the first row."""
+    by_first = {
+        store[name]["first"]: name for name in store if store[name]["rows"] and _chunk_files(store, name, ending)
+    }
     names, row = [], 0
     while row in by_first:
         names.append(by_first[row])
@@ -234,8 +236,8 @@ def _kept(store: Store, ending: str) -> list[str]:
     return names
 
 
-def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
-    """Return the files of a chunk, of launches and of rejects if it has some; None unless it is kept as it was."""
+def _chunk_files(store: Store, name: str, ending: str) -> list[Path] | None:
+    """Return a chunk's files of launches and, if any, rejects; None unless they are stored unchanged."""
     if name not in store:
         return None
     sums = zip((name + ending, name + REJECTS), store[name]["sums"], strict=False)
@@ -243,11 +245,11 @@ def _pieces(store: Store, name: str, ending: str) -> list[Path] | None:
     return None if None in result else [each for each in result if each is not None]
 
 
-def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
-    """Yield the files of the chunks that have one, each once it is checked to be what was written."""
+def _all_chunk_files(store: Store, names: Sequence[str], ending: str, place: int) -> Iterator[Path]:
+    """Yield the files of one kind of all chunks that have it, after checking that they are unchanged."""
     for name in names:
         if place < len(store[name]["sums"]):
-            result = _pieces(store, name, ending)
+            result = _chunk_files(store, name, ending)
             if result is None:
                 raise FileError(str(store.folder), None, PARTS_MISSING)
             yield result[place]
@@ -255,7 +257,7 @@ def _whole_pieces(store: Store, names: Sequence[str], ending: str, place: int) -
 
 CHUNK_ROWS = 16384
 MOST_ROWS = 1_000_000
-"""Most rows held in memory."""
+"""Maximum number of rows held in memory."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -267,31 +269,31 @@ class PredictReport(Described):
     source, output
         The files read and written.
     rejects
-        The file with the rows that could not be used, or None where there were none.
+        The file of rows that could not be used, or None if there are none.
     rows
-        Rows read; each is either written or rejected.
+        Number of rows read; each is either written or rejected.
     written, rejected
-        Rows with a launch, and rows without.
+        Number of rows with and without a launch.
     blank
-        Blank lines passed over.
+        Number of blank lines skipped.
     used
-        Heading of each column used: its quantity and unit.
+        Quantity and unit of each column used, by heading.
     passed
-        Headings of the columns only passed through.
+        Headings of the columns passed through.
     added
-        Headings of the columns written after them.
+        Headings of the columns added after them.
     notes
         Remarks on the result.
     first_rejects
         Line and reason of the first rejects.
     resumed
-        Rows done by an earlier run.
+        Number of rows done by an earlier run.
     provenance
         The model, its parameters with source and caveats, club, ball and version.
     hand
-        The hand of the player, "right" or "left", where no column says it.
+        The player's hand, "right" or "left", if no column gives it.
     assumptions
-        What was assumed of the deliveries: the static loft where no column has the dynamic loft. Also the caveats of a
+        Assumptions about the deliveries, such as static loft in place of a missing dynamic loft, and the caveats of a
         variant of a published set.
     """
 
@@ -322,7 +324,7 @@ class PredictReport(Described):
         return "\n".join(lines)
 
     def to_result(self) -> Result:
-        """Return how many rows were written and rejected, what the columns are, and the first rejects."""
+        """Return the counts, the columns and the first rejects as a result."""
         columns = [
             *(("used", heading, quantity, unit) for heading, (quantity, unit) in self.used.items()),
             *(("passed through", heading, "", "") for heading in self.passed),
@@ -391,59 +393,59 @@ def predict(
 ) -> PredictReport:
     """Compute the launch of every delivery in a CSV or Parquet file.
 
-    Columns are found by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``, or
-    ``units`` gives it. Columns of other names are passed through untouched. A row that cannot be used goes to the
-    file of rejects with its line and the reason.
+    Columns are recognised by name and carry their unit, as in ``club_speed_mph`` or ``club_speed [mph]``, unless
+    ``units`` gives it. Other columns are passed through. A row that cannot be used goes to the file of rejects, with
+    its line and the reason.
 
-    A launch monitor's file, and a table that names clubs or says where on the club its data was taken, is one of
-    recorded shots: it is read by :func:`clubface.shots.read`, and shots of another club are refused. Club data
-    that was taken elsewhere is referred to the points of clubface.
+    A launch monitor's file, or a table that names clubs or the reference points of club data, is read as recorded shots
+    by :func:`clubface.shots.read`; shots of another club are refused, and club data are converted to clubface's
+    reference points.
 
-    Both files have their names only once they are complete. Until then, what is finished is kept in the folder
-    ``<output>.unfinished``, and the same call goes on after it, however the run ended.
+    Both files appear only when they are complete. Until then, finished chunks are kept in the folder
+    ``<output>.unfinished``, and the same call resumes, however the run ended.
 
     Parameters
     ----------
     source
-        A file whose first row names the columns: CSV (commas, semicolons or tabs; decimal commas where the
-        delimiter is another), an Excel workbook, or Parquet by its ending.
+        A file whose first row names the columns: CSV (with commas, semicolons or tabs; decimal commas unless they are
+        the delimiter), an Excel workbook, or Parquet by its ending.
     club, model, ball, parameters, hand, accuracy, threads
-        As for :func:`impact`. A column named like an input wins over the club, ball or hand given here.
+        As for :func:`impact`. A column named after an input overrides the club, ball or hand given here.
     carry
-        Whether to compute the flight too.
+        Whether to compute flights too.
     air, wind
         As for :func:`fly`.
     output
-        The file to write, CSV or Parquet by its ending; ``<source>-launches.csv`` next to the source if left out.
+        The file to write, CSV or Parquet by its ending; default ``<source>-launches.csv`` next to the source.
     rejects
-        The CSV file for rows that cannot be used; ``<output>.rejects.csv`` next to the output if left out. It is
-        written only if there are such rows.
+        The CSV file for rows that cannot be used, written only if there are any; default ``<output>.rejects.csv`` next
+        to the output.
     format, mapping, units
-        How a launch monitor's file is laid out, as for :func:`clubface.shots.read`.
+        Layout of a launch monitor's file, as for :func:`clubface.shots.read`.
     only, where, mismatch, assume
-        Which of the recorded shots to take and what to state for values that were not measured, as for
+        Choice of recorded shots, and values for what was not measured, as for
         :func:`clubface.shots.measured.ready_shots`.
     chunk_rows
-        Rows held in memory at a time.
+        Number of rows held in memory.
     progress
-        Called with the part of the file read, 0 to 1, and the rows done.
+        Called with the share of the file read, 0 to 1, and the number of rows done.
     resume
-        Whether to refuse to begin anew where a run of other content or settings was interrupted; that of the same ones
-        goes on where it stopped.
+        Whether finding an interrupted run with other content or settings is an error; otherwise the run starts over. A
+        run with the same ones always resumes.
 
     Returns
     -------
     PredictReport
-        How many rows were written and rejected, which columns were used, and what to know about them.
+        Counts of rows, the columns used, and notes.
 
     Raises
     ------
     FileError
-        A file cannot be read or written; the message names the line. It is empty, has no column for the speed or one
-        column twice, or a unit has another dimension. Another process is writing the output with other settings,
-        or what is to be resumed was begun with another source or other settings.
+        A file cannot be read or written (the message names the line), is empty, has no speed column or a column twice,
+        or a unit has the wrong dimension. Another process is writing the output with other settings, or the run to
+        resume was started with another source or other settings.
     KeyboardInterrupt
-        Ctrl-C was pressed; the message says where the finished rows are.
+        Ctrl-C was pressed; the message says where the finished rows are kept.
     """
     path = Path(source)
     target = Path(output) if output is not None else path.with_name(f"{path.stem}-launches.csv")

@@ -1,9 +1,9 @@
-"""The deliveries of a file: a plain table, read as it goes, or recorded shots, which are made ready first.
+"""Sources of deliveries for predictions: a plain table, read in chunks, or recorded shots, prepared as a whole.
 
-A table of deliveries may be of any length and is never held as a whole. What was recorded (a launch monitor's file, or
-a table that names clubs or says where on the club its data was taken) goes the way of all recorded shots,
-:func:`clubface.shots.measured.ready_shots`, whose arrays are computed with as they are; the rows of such a table are
-passed through as they stand, and of a monitor's file as ``clubface monitor read`` writes them.
+A table of deliveries may have any length and is never held in memory as a whole. Recorded shots (a launch monitor's
+file, or a table that names clubs or the reference points of club data) are prepared by
+:func:`clubface.shots.measured.ready_shots`, whose arrays are used directly. Rows of such a table are passed through
+unchanged, rows of a monitor's file as ``clubface monitor read`` writes them.
 """
 
 from __future__ import annotations
@@ -41,18 +41,18 @@ from clubface.support.arrays import Floats
 
 
 class Source(NamedTuple):
-    """Where deliveries come from."""
+    """A source of deliveries."""
 
-    table: Reader | MonitorTable  # whose rows are passed through
-    columns: ColumnLayout  # what its columns mean
-    used: tuple[FileColumn, ...]  # those that give inputs, or the deliveries that were made ready
-    chunks: Callable[[int, int], Iterator[Chunk]]  # yields the rows after the first so many, some at a time
-    content: str = ""  # a text that is the same only for the same recorded shots; "" for a plain table
-    remarks: tuple[Note, ...] = ()  # on recorded shots
+    table: Reader | MonitorTable  # table whose rows are passed through
+    columns: ColumnLayout  # meaning of its columns
+    used: tuple[FileColumn, ...]  # columns that give inputs, or the prepared deliveries
+    chunks: Callable[[int, int], Iterator[Chunk]]  # yields chunks of a number of rows, after skipping some
+    content: str = ""  # fingerprint of recorded shots; "" for a plain table
+    remarks: tuple[Note, ...] = ()  # notes on recorded shots
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What is to be known of the file, as far as it is read."""
+        """Notes on the file, as far as it has been read."""
         return self.remarks if self.content else (*self.table.notes, *self.columns.notes)
 
 
@@ -61,9 +61,9 @@ def open_source(
 ) -> Source:
     """Open a file of deliveries or of recorded shots.
 
-    ``hand`` is that of the player of a launch monitor's file, if it was given. ``reading`` has ``format``, ``mapping``
-    and ``units``, as for :func:`clubface.shots.read`, and ``choice`` has ``only``, ``where``, ``assume`` and
-    ``mismatch``, as for :func:`clubface.shots.measured.ready_shots`.
+    ``hand`` is the player's hand for a launch monitor's file, if given. ``reading`` holds ``format``, ``mapping`` and
+    ``units`` for :func:`clubface.shots.read`, and ``choice`` holds ``only``, ``where``, ``assume`` and ``mismatch`` for
+    :func:`clubface.shots.measured.ready_shots`.
     """
     units = check_units(reading["units"] or {})
     if reading["format"] or reading["mapping"] or not is_plain_table(path):
@@ -93,7 +93,7 @@ def open_source(
 
 
 class MonitorTable:
-    """Recorded shots that are ready, as a table with the columns of ``clubface monitor read``; see ``CsvReader``."""
+    """Prepared shots as a table with the columns of ``clubface monitor read``; interface as of ``CsvReader``."""
 
     counts, delimiter, decimal_comma = "line", ",", False
     header_line: int | None = None
@@ -119,7 +119,7 @@ class MonitorTable:
         self._done = 0
 
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
-        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        """Yield chunks of ``rows`` rows, after skipping the first ``skip``."""
         for first in range(skip, len(self._order), rows):
             part = self._order[first : first + rows]
             kept = [place for place in part if place >= 0]
@@ -131,22 +131,22 @@ class MonitorTable:
             )  # fmt: skip
 
     def progress(self) -> float:
-        """Return which part of the rows has been read, 0 to 1."""
+        """Return the share of the rows that has been read, 0 to 1."""
         return self._done / max(len(self._order), 1)
 
     @property
     def types(self) -> list[Any]:
-        """The Arrow types of the columns."""
+        """Arrow types of the columns."""
         import pyarrow
 
         return [pyarrow.float64() if each.dtype.kind == "f" else pyarrow.string() for each in self._cells.values()]
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing, as no file is open."""
 
 
 def _ready_rows(reader: Reader, recorded: RecordedShots, ready: ReadyShots, rows: int, skip: int) -> Iterator[Chunk]:
-    """Yield the rows of a table as they stand, with the deliveries of the recorded shots that were read from it."""
+    """Yield the rows of a table unchanged, with the prepared deliveries of the shots read from it."""
     deliveries = _measured(ready)
     places = {line: place for place, line in enumerate(ready.rows.tolist())}
     reasons = {each.line: each.reason for each in recorded.rejected}
@@ -168,12 +168,12 @@ def _ready_rows(reader: Reader, recorded: RecordedShots, ready: ReadyShots, rows
 
 
 def _measured(ready: ReadyShots) -> dict[str, Floats]:
-    """Return the deliveries that were measured or stated for some shot [SI]."""
+    """Return the delivery quantities known for at least one shot [SI]."""
     return {name: values for name, values in ready.delivery().items() if np.isfinite(values).any()}
 
 
 def _ready_fields(path: str, columns: ColumnLayout, recorded: RecordedShots, ready: ReadyShots) -> dict[str, Any]:
-    """Return what a source says of shots that are ready."""
+    """Return the fields of a source for prepared shots."""
     deliveries = _measured(ready)
     if "speed" not in deliveries:
         raise FileError(path, None, "the clubhead speed was measured for no shot", "speed")

@@ -1,4 +1,4 @@
-"""Reading the file of a launch monitor: recognise its format by its columns, go through its rows, return its shots."""
+"""Reading a launch monitor's file: recognise its format by its columns, read its rows, return its shots."""
 
 from __future__ import annotations
 
@@ -41,21 +41,21 @@ if TYPE_CHECKING:
     from clubface.shots.reference_points import ClubByName
 
 TELLING = frozenset({"speed", "ball_speed", "launch"})
-"""Quantities of which a table of shots has one."""
+"""Quantities at least one of which is in every table of shots."""
 FEWEST_KNOWN = 2
-"""Headings of a layout that make a row its header where the layout was asked for by its name."""
+"""Number of known headings that make a row the header of a layout requested by name."""
 
 
 def detected(path: str, head: Sequence[Row | Reject]) -> Format:
-    """Return the layout whose header is among the first rows; ``TABLE`` for columns with usual names of no maker.
+    """Return the layout whose header is among the first rows, or ``TABLE`` for columns with common names.
 
-    If several layouts fit, the one that knows most of the columns is taken.
+    If several layouts fit, the one that knows most columns is returned.
     """
     rows = [row for row in head if not isinstance(row, Reject)]
     if not rows:
         raise _no_header(path, head)
     for cells, _, _ in rows:
-        known = {name: _known(each, cells) for name, each in FORMATS.items() if _marked(each, [cells])}
+        known = {name: _known_headings(each, cells) for name, each in FORMATS.items() if _has_marked_row(each, [cells])}
         if known:
             fitting = [name for name, count in known.items() if count == max(known.values())]
             if len(fitting) > 1:
@@ -65,7 +65,7 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
     if any(TABLE.is_header(cells) and TELLING & _quantities(TABLE, cells) for cells, _, _ in rows):
         return TABLE
     widest, line, _ = max(rows, key=lambda row: sum(bool(cell.strip()) for cell in row[0]))
-    counts = {name: _known(each, widest) for name, each in FORMATS.items()}
+    counts = {name: _known_headings(each, widest) for name, each in FORMATS.items()}
     alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
     advice = f", or the format whose columns they are, perhaps {' or '.join(alike)}" if alike else ""
     raise FileError(path, line, f"the layout is none of {', '.join(FORMATS)}; {listed([*map(str.strip, widest)])}. "
@@ -73,14 +73,14 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
 
 
 def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
-    """Return the layout that was asked for, adapted to the columns that the file has.
+    """Return the requested layout, adapted to the columns of the file.
 
-    The header is the row that contains most of the layout's columns. A file in which no row has two of them is not read
-    by the layout.
+    The header is the row with most of the layout's columns, and at least two of them; otherwise the layout is returned
+    unchanged.
     """
     rows = [row[0] for row in head if not isinstance(row, Reject)]
-    header = max(rows, key=lambda cells: _known(layout, cells), default=())
-    if _marked(layout, rows) or _known(layout, header) < FEWEST_KNOWN:
+    header = max(rows, key=lambda cells: _known_headings(layout, cells), default=())
+    if _has_marked_row(layout, rows) or _known_headings(layout, header) < FEWEST_KNOWN:
         return layout
     columns = tuple(name for each in header if (name := heading(each).name) in layout.names)
     return replace(layout, marks=(*layout.marks, columns))
@@ -100,24 +100,24 @@ def _quantities(layout: Format, cells: Sequence[str]) -> set[str]:
     return {layout.names[name][0] for each in cells if (name := layout.heading(each).name) in layout.names}
 
 
-def _marked(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
+def _has_marked_row(layout: Format, rows: Sequence[Sequence[str]]) -> bool:
     """Return whether one of the rows is the header of a layout."""
     return any(layout.is_marked({heading(each).name for each in cells}) for cells in rows)
 
 
-def _known(layout: Format, cells: Sequence[str]) -> int:
-    """Return how many cells of a row are headings of a layout."""
+def _known_headings(layout: Format, cells: Sequence[str]) -> int:
+    """Return the number of cells in a row that are headings of a layout."""
     return len({heading(each).name for each in cells} & set(layout.own_names))
 
 
 HEAD_ROWS = 30
-"""Rows among which the header must be."""
+"""Number of rows searched for the header."""
 COUNTED = 10
-"""Different values of a column that a note counts."""
+"""Maximum number of different column values listed in a note."""
 PARQUET_ROWS = 65536
-"""Rows of a Parquet file that are read at a time."""
+"""Number of rows of a Parquet file read at a time."""
 SHOWN = 3
-"""Reasons that an error names."""
+"""Maximum number of reasons listed in an error."""
 
 
 def read(
@@ -129,39 +129,38 @@ def read(
     units: Mapping[str, str] | None = None,
     club: ClubByName | None = None,
 ) -> RecordedShots:
-    """Read the file of a launch monitor: deliveries and launches in SI units, with the signs of clubface.
+    """Read a launch monitor's file: deliveries and launches in SI units, with clubface's signs.
 
-    Path, face angle, azimuth, sidespin and everything else across the target line are positive to the right for either
-    hand. Impact offsets are positive towards the toe and the crown. The convention of the file does not matter.
+    Path, face angle, azimuth, sidespin and all other sideways quantities are positive to the right for either hand,
+    impact offsets towards toe and crown, whatever the file's own convention.
 
     Parameters
     ----------
     path
-        The file: CSV with commas, semicolons, tabs or bars between cells, an Excel workbook, or a table of clubface.
+        The file: CSV with commas, semicolons, tabs or bars between cells, an Excel workbook, or a clubface table.
         Several files are sessions, see :func:`clubface.shots.recorded.join_sessions`.
     format
-        The name of a layout, see ``FORMATS``. If left out, it is recognised by its columns.
+        Name of a layout, see ``FORMATS``; by default recognised from the columns.
     hand
-        ``"right"`` or ``"left"``: the hand for every shot. If left out, it is what the file says, if anything.
+        ``"right"`` or ``"left"``, for all shots; by default taken from the file, if it tells.
     mapping
         A TOML file that names the columns of any other CSV, see :mod:`clubface.shots.formats`.
     units
-        Units of columns for which the file names none, by quantity or dimension: ``{"speed": "km/h", "carry": "m"}``.
+        Units of columns without one in the file, by quantity or dimension: ``{"speed": "km/h", "carry": "m"}``.
     club
-        The club, or a mapping from the names of clubs in the file to clubs. With it, velocities measured at the face
-        centre are converted to the centre of gravity, and face angles measured at the point of contact to the face
-        centre, see :func:`refer`. Without it they stay as measured, and a note says so.
+        The club, or a mapping from club names in the file to clubs. With it, velocities measured at the face centre are
+        converted to the centre of gravity, and face angles measured at the impact point to the face centre, see
+        :func:`refer`. Without it they stay as measured, with a note.
 
     Returns
     -------
     RecordedShots
-        The shots. ``rejected`` holds the rows that gave no shot, each with its line and reason, and ``notes`` holds
-        what you should know.
+        The shots. ``rejected`` holds the rejected rows with line and reason, ``notes`` holds remarks.
 
     Raises
     ------
     FileError
-        The file cannot be read, its layout is unknown, or it holds no shot.
+        The file cannot be read, its layout is unknown, or it contains no shot.
     """
     if hand is not None:
         check_choice("hand", hand, SIDES.values())
@@ -184,19 +183,19 @@ def read(
 
 
 def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None = None) -> RecordedShots:
-    """Read recorded shots from a CSV or Parquet file with the columns of clubface.
+    """Read recorded shots from a CSV or Parquet file with clubface's columns.
 
-    Columns are known by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``, and
-    of the launch ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``,
-    ``total_spin_rpm``, ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` names the club, ``player`` the player,
-    ``hand`` is right or left. An empty cell is a value not measured. ``units`` are those of columns that name none, by
-    quantity or dimension, such as ``{"speed": "mph"}``; without it, such columns are refused.
+    Columns are recognised by name and carry their unit, as for :func:`predict`: ``club_speed_mph``, ``attack [deg]``,
+    ``ball_speed_mph``, ``launch_deg``, ``azimuth_deg``, ``backspin_rpm``, ``sidespin_rpm``, ``total_spin_rpm``,
+    ``spin_axis_deg``, ``carry_yd`` and so on; ``club`` and ``player`` hold names, ``hand`` is right or left. An empty
+    cell means not measured. ``units`` gives units of columns without one, by quantity or dimension, such as ``{"speed":
+    "mph"}``; otherwise such columns are refused.
 
     Raises
     ------
     FileError
-        A file that cannot be read, with the line: empty, without a column of a delivery or launch, columns without
-        unit or with one of another dimension, or without a single row that can be used.
+        The file cannot be read (the message names the line), is empty, has no delivery or launch column, has a unit
+        that is missing or of the wrong dimension, or has no usable row.
     """
     return _read(Path(path), TABLE.name, None, None, check_units(units or {}))
 
@@ -204,7 +203,7 @@ def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None 
 def _read(
     path: Path, format: str | None, mapped: Mapped | None, hand: str | None, units: Mapping[str, str]
 ) -> RecordedShots:
-    """Return the shots of a file as they stand in it, without what no shot can have."""
+    """Return the shots of a file as measured, without impossible values."""
     _refuse_no_table(path)
     sign = float("nan") if hand is None else float(HANDS[hand])
     if path.suffix.lower() in PARQUET and mapped is None:
@@ -230,14 +229,14 @@ def _read(
         rows.close()
     shots = _shots(session, str(path), layout, rows.notes)
     names = [row[0] for row in head if not isinstance(row, Reject)]
-    others = [name for name, each in FORMATS.items() if format is not None and _marked(each, names)]
+    others = [name for name, each in FORMATS.items() if format is not None and _has_marked_row(each, names)]
     if others and format not in others:
         return replace(shots, notes=(note("read-as-asked", format=format, formats=others), *shots.notes))
     return shots
 
 
 def is_plain_table(path: str | os.PathLike[str]) -> bool:
-    """Return whether a file is a table of no launch monitor, which begins with its header and names units there."""
+    """Return whether a file is a plain table: not from a launch monitor, with the header, including units, in row 1."""
     source = Path(path)
     _refuse_no_table(source)
     if source.suffix.lower() in PARQUET:
@@ -255,7 +254,7 @@ def is_plain_table(path: str | os.PathLike[str]) -> bool:
 
 
 def _refuse_no_table(path: Path) -> None:
-    """Say of files that people have, and that are no tables, what to do with them."""
+    """Raise an error with advice for a file of another kind."""
     if path.suffix.lower() == ".c3d":
         raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
 
@@ -268,7 +267,7 @@ def _session(
     units: Mapping[str, str],
     every: Iterator[Row | Reject],
 ) -> Session:
-    """Return the contents of a file whose layout is known, once it is decided how its numbers are written."""
+    """Return the contents of a file with a known layout, after deciding how its numbers are written."""
     path, sample = rows.path, list(islice(every, DECIMAL_ROWS))
     decimals = decimals_of(_cells_with_quantities(layout, sample), rows.delimiter)
     if mapped and mapped.decimal_comma is not None:
@@ -290,7 +289,7 @@ def _session(
 
 
 def _cells_with_quantities(layout: Format, rows: Sequence[Row | Reject]) -> Iterator[tuple[str, str | None]]:
-    """Yield the cells of some rows, each with the quantity that its column gives, or None."""
+    """Yield the cells of some rows, each with the quantity of its column, or None."""
     quantities: list[str | None] = []
     for row in rows:
         if isinstance(row, Reject):
@@ -302,13 +301,13 @@ def _cells_with_quantities(layout: Format, rows: Sequence[Row | Reject]) -> Iter
 
 
 def _no_header(path: str, rows: Sequence[Row | Reject]) -> FileError:
-    """Return the error on a file without a row that can be read."""
+    """Return the error for a file without a readable row."""
     reject = next((row for row in rows if isinstance(row, Reject)), None)
     return FileError(path, reject.line, reject.reason) if reject else FileError(path, 1, "the file is empty")
 
 
 def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] = ()) -> RecordedShots:
-    """Return the shots of a session, without values that no shot can have."""
+    """Return the shots of a session, without impossible values."""
     tables = session.tables
     rejected = tuple(sorted(session.rejected, key=lambda each: each.line or 0))
     refuse_empty(path, sum(len(each.lines) for each in tables), rejected)
@@ -358,7 +357,7 @@ def _shots(session: Session, path: str, layout: Format, of_file: Sequence[Note] 
 
 
 def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> None:
-    """Refuse a file without a single shot, saying why its rows could not be used."""
+    """Raise an error for a file without any shot, with the reasons for rejected rows."""
     if not shots:
         unit_of = "row" if path.lower().endswith(PARQUET) else "line"
         reasons = "; ".join(f"{unit_of} {each.line}: {each.reason}" for each in rejected[:SHOWN])

@@ -1,6 +1,6 @@
-"""Recorded shots: deliveries and launches measured together, one row a shot, whatever they were measured with.
+"""Recorded shots: deliveries and launches measured together, one row per shot, from any monitor.
 
-Several files are joined as sessions. Values can be stated for what was not measured (``{"toe": "0 mm"}``). Dates are
+Several files can be joined as sessions, and values stated for what was not measured (``{"toe": "0 mm"}``). Dates are
 kept as ISO text: ``05/02/24 10:21:11 AM`` becomes ``2024-05-02T10:21:11``.
 """
 
@@ -40,9 +40,9 @@ if TYPE_CHECKING:
     import xarray
 
 TEXTS = {"clubs": "club", "players": "player", "hand": HAND, "dates": "date", "files": "file"}
-"""The attributes of shots that are texts, with the headings of their columns."""
+"""Text attributes of shots, with the headings of their columns."""
 SIDES = {1.0: "right", -1.0: "left"}
-"""The hand by the sign the core takes."""
+"""Hand by sign."""
 
 
 class RejectedRow(NamedTuple):
@@ -51,7 +51,7 @@ class RejectedRow(NamedTuple):
     Attributes
     ----------
     line
-        Where it begins (in a Parquet file, the number of the row), from 1; None where it is not known.
+        Line at which it begins (in a Parquet file, the row), from 1; None if unknown.
     reason
         What is wrong.
     """
@@ -62,49 +62,47 @@ class RejectedRow(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RecordedShots(Presentable):
-    """Shots as they were measured, SI and radians, with the signs of :class:`Delivery` and :class:`Launch`.
+    """Shots as measured, in SI units and radians, with the signs of :class:`Delivery` and :class:`Launch`.
 
-    Every array has one element a shot. A value that was not measured is NaN; a quantity that was measured for no shot
-    is not there.
+    Every array has one element per shot. NaN means not measured; a quantity never measured is absent.
 
     Attributes
     ----------
     deliveries
-        Inputs of an impact by name (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``toe``, ...), of club and
-        ball as well where the file gives them.
+        Inputs of an impact by name (``speed``, ``attack``, ``path``, ``loft``, ``face``, ``toe``, ...), including club
+        and ball properties if the file has them.
     launches
         Quantities of the launch and flight by name: ``ball_speed``, ``launch``, ``azimuth``, ``backspin``,
-        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Spins that follow from others are filled in, and of
-        those that contradict each other some are left out, which a note says; see
-        :func:`clubface.simulation.spin.complete`.
+        ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Spins are completed from each other, and
+        contradictory ones left out with a note; see :func:`clubface.simulation.spin.complete`.
     clubs
-        Name of the club as in the file, or None where the file has none.
+        Club names as in the file, or None.
     players
-        Name of the player as in the file, or None where the file has none.
+        Player names as in the file, or None.
     hand
-        ``"right"`` or ``"left"``, or None where it is not known.
+        ``"right"`` or ``"left"``, or None if unknown.
     dates
-        When each shot was hit, as ISO text (``2026-05-01`` or ``2026-05-01T10:21:11``) or as in the file; None where
-        the file does not say.
+        Date of each shot, as ISO text (``2026-05-01`` or ``2026-05-01T10:21:11``) or as in the file; None if unknown.
     files
-        Name of the file of each shot, where they are of several; else None.
+        File name of each shot if there are several files; else None.
     rows
-        Where each shot begins in the source: its line in text, its row in Parquet.
+        Line in the source (in Parquet, row) at which each shot begins.
     source
         The file, or another name of the source.
     format
-        How it is written: ``"clubface"``, ``"trackman"``, ...
+        Name of the format: ``"clubface"``, ``"trackman"``, ...
     rejected
         The rows that gave no shot.
     notes
-        Remarks on the shots; texts may be given too.
+        Remarks on the shots; plain text is accepted too.
     speed_at
-        Where speed, attack angle and path were taken: "cg", as models want it, "face" (its centre) or "unknown".
+        Point at which speed, attack angle and path were measured: "cg", as models need it, "face" (its centre) or
+        "unknown".
     face_at
-        Where dynamic loft and face angle were taken: "face" (its centre), as models want it, "contact" or "unknown".
-        :func:`clubface.shots.refer` refers both to where models want them.
+        Point at which dynamic loft and face angle were measured: "face" (its centre), as models need it, "contact" or
+        "unknown". :func:`clubface.shots.refer` converts both to the points models need.
     derived
-        The spins among ``launches`` that were not measured but follow from others, by name; NaN elsewhere.
+        Spins among ``launches`` that were derived from others, by name; NaN elsewhere.
     """
 
     deliveries: dict[str, Floats]
@@ -154,13 +152,13 @@ class RecordedShots(Presentable):
         return len(self.rows)
 
     def _measured(self, name: str, values: Floats) -> Floats:
-        """Return values of a spin without those that were filled in from others, and are so again."""
+        """Return values of a spin without derived ones, which are derived again."""
         derived = self.derived.get(name)
         return values if derived is None else np.where(values == derived, np.nan, values)
 
     @property
     def row_word(self) -> str:
-        """What ``rows`` counts: lines of text, or the rows of a Parquet file."""
+        """Word for a row: "line" in text, "row" in a Parquet file."""
         return "row" if self.source.lower().endswith(PARQUET) else "line"
 
     def __repr__(self) -> str:
@@ -172,13 +170,13 @@ class RecordedShots(Presentable):
         return "\n".join(lines)
 
     def with_notes(self, *notes: Note) -> Self:
-        """Return the same shots with further notes, whose arrays are neither checked nor completed again."""
+        """Return the same shots with more notes, without checking or completing arrays again."""
         noted = copy(self)
         object.__setattr__(noted, "notes", tuple(dict.fromkeys((*self.notes, *notes))))
         return noted
 
     def select(self, chosen: Selection) -> Self:
-        """Return some of the shots: a mask, indices or a slice, as NumPy takes them; rejected rows and notes stay."""
+        """Return some of the shots, by a mask, indices or a slice as in NumPy; rejected rows and notes stay."""
         try:
             index = np.arange(len(self))[chosen]
         except IndexError as error:
@@ -194,9 +192,9 @@ class RecordedShots(Presentable):
         )
 
     def groups(self) -> NDArray[np.str_] | None:
-        """Return a label for each shot that says which belong together, those of a player; None if there is one player.
+        """Return a label for each shot, the same for shots of one player; None if there is only one player.
 
-        A shot whose player is not named belongs to none.
+        A shot without a player's name has a label of its own.
         """
         if self.players is None or len(set(self.players) - {""}) < 2:
             return None
@@ -204,9 +202,9 @@ class RecordedShots(Presentable):
         return np.where(self.players == "", lonely, self.players).astype(str)
 
     def by_player(self) -> Iterator[tuple[str, NDArray[np.intp]]]:
-        """Yield each player and the places of his shots; all shots under "" where the file does not name two players.
+        """Yield each player and the indices of the player's shots; all shots under "" unless two players are named.
 
-        Where it does, those of which it does not name the player come under "" too.
+        Shots without a player's name also come under "".
         """
         if self.players is None or self.groups() is None:
             yield "", np.arange(len(self))
@@ -215,22 +213,21 @@ class RecordedShots(Presentable):
             yield str(player), np.flatnonzero(self.players == player)
 
     def delivery(self) -> dict[str, Floats]:
-        """Return what :func:`impact` takes as ``delivery``: the deliveries, and the hand as +1 or -1."""
+        """Return the ``delivery`` argument for :func:`impact`: the deliveries, and the hand as +1 or -1."""
         given = dict(self.deliveries)
         if self.hand is not None:
             given[HAND] = np.array([float(HANDS[each]) for each in self.hand])
         return given
 
     def units(self) -> dict[str, str]:
-        """Return the SI unit of each quantity there is."""
+        """Return the SI unit of each quantity present."""
         dimensions = shot_words().dimensions
         return {name: SI_UNITS[dimensions[name]] for name in (*self.deliveries, *self.launches)}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return one row a shot, SI: ``row``, the texts of ``TEXTS`` where known, then every quantity.
+        """Return a frame with one row per shot, in SI: ``row``, the known texts of ``TEXTS``, then every quantity.
 
-        ``attrs`` of the frame holds ``units`` and ``source``, ``format``, ``rejected``, ``notes``, ``speed_at``,
-        ``face_at``.
+        ``attrs`` holds ``units``, ``source``, ``format``, ``rejected``, ``notes``, ``speed_at`` and ``face_at``.
         """
         import pandas
 
@@ -243,7 +240,7 @@ class RecordedShots(Presentable):
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
-        """Return a dataset over ``row``, SI; variables carry their units, and the dataset its file and format."""
+        """Return a dataset over ``row`` in SI; variables carry units, the dataset its file and format."""
         import xarray
 
         frame = self.to_pandas().set_index("row")
@@ -253,17 +250,17 @@ class RecordedShots(Presentable):
         return xarray.Dataset(variables, {"row": self.rows}, attrs=kept)
 
     def to_result(self) -> Result:
-        """Return each quantity with its least, mean and greatest value, the clubs, and the rows that give no shot."""
+        """Return the range and mean of each quantity, the clubs, and the rejected rows as a result."""
         from clubface.shots.recorded_result import shots_result
 
         return shots_result(self)
 
     def headings(self) -> dict[str, tuple[str, str]]:
-        """Return the heading and the unit that each quantity has in a table of the shots."""
+        """Return the heading and unit of each quantity in a table of the shots."""
         return {name: heading_of(name, si_unit) for name, si_unit in self.units().items()}
 
     def columns(self) -> dict[str, list[str] | Floats]:
-        """Return the columns of a table of the shots by their headings, numbers in the units that these name."""
+        """Return the columns of a table of the shots by heading, with numbers in the units of the headings."""
         columns: dict[str, list[str] | Floats] = {}
         for name, heading in TEXTS.items():
             if (texts := getattr(self, name)) is not None:
@@ -275,9 +272,9 @@ class RecordedShots(Presentable):
         return columns | {heading: from_si(values[name], unit) for name, (heading, unit) in self.headings().items()}
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the shots to a CSV or Parquet file, by its ending, as :func:`clubface.read_shots` reads them.
+        """Write the shots to a CSV or Parquet file, by its ending, for :func:`clubface.read_shots`.
 
-        The file has its name only once it is complete. Rejected rows and notes are not in it.
+        The file appears only when it is complete. It does not contain rejected rows and notes.
         """
         write_columns(self.columns(), Path(path))
 
@@ -292,7 +289,7 @@ def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Float
 
 
 def _texts(given: Any) -> NDArray[Any]:
-    """Return names, "" where one is missing."""
+    """Return names, with "" for missing ones."""
     missing = (
         np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else np.zeros(np.shape(given), dtype=bool)
     )
@@ -311,18 +308,18 @@ def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
 
 
 FEWEST_SAME = 3
-"""Values that two shots of different files must share to be the same shot."""
+"""Minimum number of values for recognising the same shot in different files."""
 MEASURED_AT = {"speed_at": ("motion", {"speed", "attack", "path"}), "face_at": ("face-angles", {"loft", "face"})}
-"""What is taken at each place, as the codes of notes call it and by quantity."""
+"""Data measured at each reference point: name in note codes, and quantities."""
 NAMED = 3
-"""Files that the name of their shots lists."""
+"""Maximum number of files listed in the source of joined shots."""
 
 
 def join_sessions(sessions: Sequence[RecordedShots]) -> RecordedShots:
     """Return the shots of several files as one, in the order given, each shot with its file.
 
-    A shot that an earlier file has already, with the same club, player, date and values, is left out, and a note counts
-    such shots: exports overlap, and a file may be given twice.
+    Exports overlap, and a file may be given twice, so a shot with the same club, player, date and values as one in an
+    earlier file is left out; a note counts these.
     """
     if len(sessions) == 1:
         return sessions[0]
@@ -414,7 +411,7 @@ def _first_of_each(sessions: Sequence[RecordedShots]) -> list[NDArray[np.bool_]]
 def _columns(
     every: Sequence[Mapping[str, Any]], parts: Sequence[RecordedShots], nothing: Any = np.nan, kind: type = float
 ) -> dict[str, Any]:
-    """Return the columns of several parts as one each, with ``nothing`` in the parts that lack one."""
+    """Return the joined columns of several parts, with ``nothing`` where a part lacks one."""
     names = dict.fromkeys(name for each in every for name in each)
     sizes = [*map(len, parts)]
     return {
@@ -429,14 +426,14 @@ Shots = TypeVar("Shots", bound=RecordedShots)
 
 
 def assume_values(shots: Shots, assume: Mapping[str, ValueLike]) -> Shots:
-    """Return the shots with stated values where those of a delivery were not measured, and notes that count them.
+    """Return the shots with stated values for delivery quantities that were not measured, and notes that count them.
 
     Parameters
     ----------
     shots
         The shots.
     assume
-        Values by the names of :class:`clubface.Delivery`, as text with units or as SI numbers. What was measured stays.
+        Values by the names of :class:`clubface.Delivery`, as text with units or SI numbers. Measured values stay.
     """
     check_names("quantity in assume", assume, DIMENSIONS)
     deliveries, notes = dict(shots.deliveries), []
@@ -468,10 +465,10 @@ _COMPACT = re.compile(r"(20\d{2})(\d{2})(\d{2})(?:[T_-]?(\d{2})(\d{2})(\d{2})?)?
 
 
 def iso_dates(texts: Sequence[str]) -> tuple[list[str], Note | None]:
-    """Return dates, with time where there is one, as ISO text, and a note where their order is not certain.
+    """Return dates, with time if given, as ISO text, and a note if the order of day and month is uncertain.
 
-    A text that is no date stays as it is. Whether day or month comes first is decided by the dates of all texts; where
-    all could be either, points stand for the day first and strokes for the month.
+    Text that is not a date stays unchanged. All dates together decide whether day or month comes first; if they leave
+    it open, dots mean day first and slashes month first.
     """
     different = dict.fromkeys(texts)
     day_first, is_certain = _order(different)
@@ -484,12 +481,12 @@ def iso_dates(texts: Sequence[str]) -> tuple[list[str], Note | None]:
 
 
 def date_among(cells: Iterable[str]) -> str | None:
-    """Return the first date among the cells of a row, as it stands there; None where there is none."""
+    """Return the first date among the cells of a row, unchanged; None if there is none."""
     return next((cell.strip() for cell in cells if _iso(cell, day_first=False) or _iso(cell, day_first=True)), None)
 
 
 def _order(texts: Iterable[str]) -> tuple[bool, bool]:
-    """Return whether the day comes before the month, and whether that is certain."""
+    """Return whether the day comes before the month, and whether this is certain."""
     result = [match for text in texts if not _YEAR_FIRST.search(text) and (match := _YEAR_LAST.search(text))]
     if any(int(match[1]) > 12 for match in result):
         return True, True

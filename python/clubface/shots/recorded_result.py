@@ -1,4 +1,4 @@
-"""What was read from a file of shots, as a result: each quantity with its least, mean and greatest value."""
+"""Recorded shots as a result: range and mean of each quantity, clubs, and rejected rows."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from clubface.shots.loft_origin import loft_origins, origin_notes
 from clubface.shots.recorded import RecordedShots, RejectedRow
 
 SHOWN = 10
-"""Rejected rows that are printed; files have all."""
+"""Maximum number of rejected rows printed; files have all."""
 
 
 def shots_result(shots: RecordedShots) -> Result:
-    """Return what was read: the quantities, the clubs, where lofts come from, and the rows that give no shot."""
+    """Return the quantities, clubs, loft origins and rejected rows of recorded shots as a result."""
     names = [] if shots.clubs is None else shots.clubs.tolist()
     clubs = {name: names.count(name) for name in dict.fromkeys(names)}
     listed = ", ".join(f"{count} {name or 'without a name'}" for name, count in clubs.items())
@@ -41,7 +41,7 @@ def shots_result(shots: RecordedShots) -> Result:
 
 
 def session_table(shots: RecordedShots) -> Table:
-    """Return the source of shots, how it is written, how many there are, and where club data was taken."""
+    """Return source, format, number of shots and reference points of club data as a table."""
     values = {name: getattr(shots, name) for name in ("source", "format", "speed_at", "face_at")}
     return table(
         "session",
@@ -66,7 +66,7 @@ def _quantities_table(shots: RecordedShots) -> Table:
 
 
 def rejected_table(rejected: Iterable[RejectedRow | Sequence[object]], place: str = "line") -> Table:
-    """Return the rows that give no shot, each with its place in the file and the reason."""
+    """Return the table of rejected rows, with line and reason."""
     rows = list(rejected)
     count = f"{len(rows)} row{'s' * (len(rows) != 1)} rejected"
     more = f"; the first {SHOWN}" if len(rows) > SHOWN else ""

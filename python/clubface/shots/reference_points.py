@@ -1,9 +1,9 @@
-"""Club data between the points that monitors look at and those of clubface: the CG and the face centre.
+"""Conversion of club data between monitors' reference points and clubface's: the CG and the face centre.
 
-A clubhead turns as it moves, so its parts move differently: at a closure rate of 2500 deg/s the face centre of a
-driver, 40 mm in front of the centre of gravity, moves 2 degrees more to the left. The face of a wood is curved: 10 mm
-towards the toe it points 1.9 degrees more to the right than at its centre. Monitors measure at different points;
-TrackMan's article "Club Data Definitions" says where TrackMan and cameras do.
+A clubhead rotates, so its points move differently: at a closure rate of 2500 deg/s a driver's face centre, 40 mm in
+front of the centre of gravity, moves 2 degrees farther left. The face of a wood is curved: 10 mm towards the toe it
+points 1.9 degrees farther right than at the centre. Monitors measure at different points; TrackMan's article "Club Data
+Definitions" explains where TrackMan and cameras do.
 """
 
 from __future__ import annotations
@@ -26,35 +26,35 @@ from clubface.shots.recorded import RecordedShots
 from clubface.support.arrays import Floats
 
 CLOSE = 1e-14
-"""Angle to which the face at its centre is found [rad]."""
+"""Convergence tolerance of the face angles at the centre [rad]."""
 MOST_STEPS = 60
 
 
 ClubByName = str | os.PathLike[str] | Club | Mapping[str, str | os.PathLike[str] | Club]
-"""A club, its name or its file; or one for each name of a club in the shots."""
+"""A club, its name or its file; or a mapping from club names in the shots to clubs."""
 
 
 def refer(shots: RecordedShots, club: ClubByName) -> RecordedShots:
-    """Return the shots with the motion of the club at its centre of gravity and the face angles at the face centre.
+    """Return the shots with club motion at the centre of gravity and face angles at the face centre.
 
-    The velocity of the centre of gravity is that of the face centre minus omega x r. Here r is the vector from the
-    centre of gravity to the face centre in the delivered attitude, and omega comes from closure, pitch and lie rate. In
-    this attitude the face, a torus with the club's bulge and roll, points as measured at the point of contact. A shot
-    without the closure rate or the point of contact stays as measured, and a note counts such shots.
+    The velocity of the centre of gravity is the velocity of the face centre minus omega x r, where r is the vector from
+    the centre of gravity to the face centre in the delivered attitude, and omega follows from closure, pitch and lie
+    rate. The attitude is such that the face, a torus with the club's bulge and roll, points as measured at the impact
+    point. Shots without closure rate or impact point stay as measured; a note counts them.
 
     Parameters
     ----------
     shots
         The shots, as measured.
     club
-        The club (a :class:`Club`, a name or the path of a file), or a mapping from the names of clubs in the shots to
-        clubs. Shots with other clubs stay as measured.
+        The club (a :class:`Club`, a name or a path), or a mapping from club names in the shots to clubs. Shots with
+        other clubs stay as measured.
 
     Returns
     -------
     RecordedShots
-        The shots. ``speed_at`` is "cg" and ``face_at`` is "face" if all shots were converted, and "unknown" if only
-        some were. What was unknown before stays as measured.
+        The shots. ``speed_at`` is "cg" and ``face_at`` is "face" if all shots were converted, "unknown" if only some
+        were. Data from unknown points stay as measured.
     """
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes: list[Note] = []
@@ -93,25 +93,25 @@ def refer(shots: RecordedShots, club: ClubByName) -> RecordedShots:
 
 
 def _measured(some: Mapping[str, Any], *names: str) -> bool:
-    """Return whether one of the quantities was measured in any shot."""
+    """Return whether any of the quantities was measured in any shot."""
     return any(np.isfinite(some[name]).any() for name in names if name in some)
 
 
 def _known(some: Mapping[str, Any], *names: str) -> NDArray[np.bool_]:
-    """Return which shots have all of the quantities."""
+    """Return which shots have all of these quantities."""
     nothing = np.full(len(next(iter(some.values()))), np.nan)
     return ~np.any([np.isnan(some.get(name, nothing)) for name in names], axis=0)
 
 
 def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:
-    """Return loft and face angle at the face centre where those at the point of contact are given."""
+    """Return loft and face angle at the face centre from those at the impact point."""
     count = len(hand)
     toe, high = (some.get(name, np.full(count, np.nan)) for name in ("toe", "high"))
     lacking = np.isnan(toe) | np.isnan(high)
     toe, high = (np.where(lacking, 0.0, each) for each in (toe, high))
-    measured_loft = _filled(some, "loft", count, head.loft)
-    measured_face = hand * _filled(some, "face", count, 0.0)
-    lie = _filled(some, "lie", count, 0.0)
+    measured_loft = _with_default(some, "loft", count, head.loft)
+    measured_face = hand * _with_default(some, "face", count, 0.0)
+    lie = _with_default(some, "lie", count, 0.0)
     normal = _normal(toe, high, head)
     loft, face = measured_loft.copy(), measured_face.copy()
     for _ in range(MOST_STEPS):
@@ -129,8 +129,8 @@ def _at_face_centre(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[s
 
 
 def _attitude_at(normal: Floats, loft: Floats, face: Floats, lie: Floats, head: Club) -> tuple[Floats, Floats]:
-    """Return loft and face angle of a normal of the face, given those at its centre."""
-    turned = _turned(loft, face, lie, head.loft) @ _tilted(head.loft, lie)
+    """Return loft and face angle for a face normal, given those at the face centre."""
+    turned = _attitude_rotation(loft, face, lie, head.loft) @ _tilt_rotation(head.loft, lie)
     x, y, z = np.einsum("nij,nj->ni", turned, normal).T
     return np.arcsin(np.clip(y, -1.0, 1.0)), np.arctan2(z, x)
 
@@ -151,23 +151,25 @@ def _normal(toe: Floats, high: Floats, head: Club) -> Floats:
 
 
 def _at_cg(some: Mapping[str, Any], head: Club, hand: Floats) -> dict[str, Any]:
-    """Return speed, attack angle and path of the centre of gravity where those of the face centre are given."""
+    """Return speed, attack angle and path of the centre of gravity from those of the face centre."""
     known = _known(some, "closure")
     return {
         name: np.where(known & ~np.isnan(some[name]), values, some[name])
-        for name, values in _moved(some, head, hand, -1.0).items()
+        for name, values in _shift_motion(some, head, hand, -1.0).items()
         if name in some
     }
 
 
-def _moved(some: Mapping[str, Any], head: Club, hand: Floats | float, sign: float) -> dict[str, Any]:
+def _shift_motion(some: Mapping[str, Any], head: Club, hand: Floats | float, sign: float) -> dict[str, Any]:
     """Return speed, attack angle and path of the face centre from those of the CG (``sign`` 1), or back (-1)."""
     count = len(some["speed"])
-    attack, path, lie, face = (_filled(some, name, count, 0.0) for name in ("attack", "path", "lie", "face"))
+    attack, path, lie, face = (_with_default(some, name, count, 0.0) for name in ("attack", "path", "lie", "face"))
     path, face = hand * path, hand * face
     direction = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=1)
-    lie_rate, closure, pitch_rate = (_filled(some, each, count, 0.0) for each in ("lie_rate", "closure", "pitch_rate"))
-    turned = _turned(_filled(some, "loft", count, head.loft), face, lie, head.loft)
+    lie_rate, closure, pitch_rate = (
+        _with_default(some, each, count, 0.0) for each in ("lie_rate", "closure", "pitch_rate")
+    )
+    turned = _attitude_rotation(_with_default(some, "loft", count, head.loft), face, lie, head.loft)
     arm = turned @ _rotation("zy", lie) @ np.array([head.cg_x, head.cg_y, head.cg_z])
     omega = np.stack([-lie_rate, closure, pitch_rate], axis=1)
     velocity = some["speed"][:, None] * direction + sign * np.cross(omega, arm)
@@ -179,7 +181,7 @@ def _moved(some: Mapping[str, Any], head: Club, hand: Floats | float, sign: floa
     }
 
 
-def _filled(some: Mapping[str, Any], name: str, count: int, default: float) -> Floats:
+def _with_default(some: Mapping[str, Any], name: str, count: int, default: float) -> Floats:
     values = some.get(name, np.full(count, np.nan))
     return np.where(np.isnan(values), default, values)
 
@@ -194,17 +196,17 @@ def _rotation(axes: str, angle: Floats) -> Floats:
     return turned
 
 
-def _tilted(static_loft: float, lie: Floats) -> Floats:
+def _tilt_rotation(static_loft: float, lie: Floats) -> Floats:
     """Return the rotation from face axes to the reference pose tilted by the lie; shape (n, 3, 3)."""
     return _rotation("zy", lie) @ _rotation("xy", np.full_like(lie, static_loft))
 
 
-def _turned(loft: Floats, face: Floats, lie: Floats, static_loft: float) -> Floats:
+def _attitude_rotation(loft: Floats, face: Floats, lie: Floats, static_loft: float) -> Floats:
     """Return the rotation from the tilted reference pose to the delivered attitude; shape (n, 3, 3).
 
     The face normal is turned back to azimuth 0, about z until its elevation is the loft, and right by the face angle.
     """
-    x, y, z = _tilted(static_loft, lie)[:, :, 0].T
+    x, y, z = _tilt_rotation(static_loft, lie)[:, :, 0].T
     upright = _rotation("xy", loft - np.arctan2(y, np.hypot(x, z)))
     return _rotation("xz", face) @ upright @ _rotation("xz", -np.arctan2(z, x))
 
@@ -214,20 +216,19 @@ ATTITUDE = ("loft", "face")
 
 
 def as_seen(deliveries: Mapping[str, Floats], head: Club, *, speed_at: str, face_at: str) -> dict[str, Floats]:
-    """Return the deliveries as a monitor shows them that measures at other points of the head.
+    """Return deliveries as reported by a monitor that measures at other points of the head.
 
-    ``deliveries`` are by quantity, SI, of which ``speed`` is one: motion of the centre of gravity, attitude at the face
-    centre. What is left out is zero, and the loft that of the club. Speed, attack and path are measured at the face
-    centre where ``speed_at`` is "face", loft and face angle at the point of contact where ``face_at`` is "contact";
-    elsewhere they stay.
+    ``deliveries`` holds SI values by quantity, including ``speed``: motion of the centre of gravity and attitude at the
+    face centre. Missing values are zero, a missing loft is the club's. If ``speed_at`` is "face", speed, attack and
+    path are converted to the face centre; if ``face_at`` is "contact", loft and face angle to the impact point.
     """
     seen, hand = dict(deliveries), float(head.hand)
     if speed_at == FACE:
-        seen |= _moved(deliveries, head, hand, 1.0)
+        seen |= _shift_motion(deliveries, head, hand, 1.0)
     if face_at == CONTACT:
         count = len(seen["speed"])
-        toe, high, lie, face = (_filled(deliveries, name, count, 0.0) for name in ("toe", "high", "lie", "face"))
-        loft = _filled(deliveries, "loft", count, head.loft)
+        toe, high, lie, face = (_with_default(deliveries, name, count, 0.0) for name in ("toe", "high", "lie", "face"))
+        loft = _with_default(deliveries, "loft", count, head.loft)
         seen["loft"], seen_face = _attitude_at(_normal(toe, high, head), loft, hand * face, lie, head)
         seen["face"] = hand * seen_face
     return seen

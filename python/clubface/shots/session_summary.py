@@ -1,4 +1,4 @@
-"""A summary of each club of a player in a session: number of shots, medians, spreads, mishits, and gaps in carry."""
+"""Summary of each club in a session: number of shots, medians, spreads, mishits, and carry gaps."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ from clubface.units import from_si
 QUANTITIES = (
     "speed", "ball_speed", "smash", "attack", "launch", "azimuth", "total_spin", "spin_axis", "carry", "side", "total",
 )  # fmt: skip
-"""The quantities that are summed up."""
-SURE = 2.0
-"""Standard errors that a gap must have to be one."""
+"""Quantities summarised."""
+CLEAR_GAP = 2.0
+"""Number of standard errors a gap must exceed to be clear."""
 FEWEST = 3
-"""Shots from which an ellipse is drawn."""
+"""Minimum number of shots for drawing an ellipse."""
 MISHIT = "mishits, not counted"
-"""Their name in a legend."""
+"""Label of mishits in a legend."""
 
 
 class Gap(NamedTuple):
-    """The median carry of a club less that of the next shorter one, and the standard error of it [m]."""
+    """Median carry of a club minus that of the next shorter club, and its standard error [m]."""
 
     length: float
     error: float
@@ -50,17 +50,17 @@ class ClubSummary:
     Attributes
     ----------
     player
-        Who hit it, as in the file; "" where the file names no one, or the same player for all shots.
+        Player's name as in the file; "" unless several players are named.
     club
-        Its name as in the file, or "" where the file has none.
+        Club name as in the file, or "".
     places
-        Its shots among those of the session.
+        Indices of its shots in the session.
     spreads
-        What was measured, by quantity.
+        Statistics by quantity.
     mishits
-        Its shots that are far off, each with the reason; ``place`` counts the shots of the session.
+        Its mishits, with reasons; ``place`` is the index in the session.
     gap
-        How much further it carries than the next shorter club of the player; None for the shortest, or without carry.
+        Carry gap to the player's next shorter club; None for the shortest, or without carry.
     """
 
     player: str
@@ -72,27 +72,28 @@ class ClubSummary:
 
     @property
     def mishit_places(self) -> list[int]:
-        """The places of its mishits among the shots of the session."""
+        """Indices of its mishits in the session."""
         return list(dict.fromkeys(each.place for each in self.mishits))
 
     @property
     def title(self) -> str:
-        """The club, and its player where the file names several."""
+        """Name of the club, with the player's if there are several."""
         club = self.club or "the shots"
         return f"{self.player}'s {club}" if self.player else club
 
 
 def summarize_clubs(shots: RecordedShots) -> list[ClubSummary]:
-    """Return a summary of each club, the longest first; names of the same club, as 7i and 7 Iron, are taken together.
+    """Return a summary of each club, the longest first; names of the same club, such as 7i and 7 Iron, are merged.
 
-    The clubs of several players are summed up player by player, as these appear in the file. Values that were not
-    measured count for nothing, not even as shots of their quantity.
+    Clubs are summarised player by player, in the order of the file. Only measured values count.
     """
-    return [each for player, places in shots.by_player() for each in _of_player(player, shots.select(places), places)]
+    return [
+        each for player, places in shots.by_player() for each in _summarize_player(player, shots.select(places), places)
+    ]
 
 
-def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> list[ClubSummary]:
-    """Return a summary of each club of a player, whose shots have the places ``whole`` in the session."""
+def _summarize_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> list[ClubSummary]:
+    """Return a summary of each club of a player; ``whole`` holds the indices of the player's shots in the session."""
     names = [str(each) for each in shots.clubs] if shots.clubs is not None else [""] * len(shots)
     groups: dict[str, list[int]] = {}
     known: dict[str, str] = {}
@@ -101,7 +102,7 @@ def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> li
             known[name] = next((each for each in groups if same_club(each, name)), name)
         groups.setdefault(known[name], []).append(place)
     values = shots.deliveries | shots.launches
-    clubs = [(name, np.array(places), *_spreads(values, places)) for name, places in groups.items()]
+    clubs = [(name, np.array(places), *_statistics(values, places)) for name, places in groups.items()]
     length = "carry" if any("carry" in each for _, _, each, _ in clubs) else "ball_speed"
     clubs.sort(key=lambda each: -each[2][length].median if length in each[2] else math.inf)
     shorter = [*(each[2] for each in clubs[1:]), {}]
@@ -113,7 +114,7 @@ def _of_player(player: str, shots: RecordedShots, whole: NDArray[np.intp]) -> li
     ]  # fmt: skip
 
 
-def _spreads(values: Mapping[str, Floats], places: list[int]) -> tuple[dict[str, Statistic], list[Mishit]]:
+def _statistics(values: Mapping[str, Floats], places: list[int]) -> tuple[dict[str, Statistic], list[Mishit]]:
     chosen = {name: each[places] for name, each in values.items()}
     mishits = find_mishits(chosen)
     mask = is_mishit(mishits, len(places))
@@ -128,7 +129,7 @@ def _gap(longer: Statistic | None, shorter: Statistic | None) -> Gap | None:
 
 
 def session_result(shots: RecordedShots) -> Result:
-    """Return counts, medians, spreads, mishits and gaps of each club, with the picture of where its shots land."""
+    """Return counts, medians, spreads, mishits and gaps of each club, with the picture of the landings."""
     clubs = summarize_clubs(shots)
     return Result(
         "session-summary",
@@ -181,7 +182,7 @@ def _clubs_table(clubs: Sequence[ClubSummary]) -> Table:
 
 
 def mishits_table(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Table:
-    """Return the mishits of the clubs: where each stands in the file, and what is far off, with its median."""
+    """Return the table of mishits: line in the file, quantity that is far off, and its median."""
     rows = [(club, each) for club in clubs for each in club.mishits]
     off = [quantity(each.quantity) for _, each in rows]
     return table(
@@ -206,7 +207,7 @@ def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
                    if count < each.places.size]:  # fmt: skip
             yield note("session-partly-measured", quantity=name.replace("_", " "), counts=few)
     for longer, shorter in pairwise(clubs):
-        if longer.gap is not None and not longer.gap.length > SURE * longer.gap.error:
+        if longer.gap is not None and not longer.gap.length > CLEAR_GAP * longer.gap.error:
             data = {"longer": longer.title, "shorter": shorter.title, "gap_carry": longer.gap.length}
             if math.isnan(longer.gap.error):
                 yield note("session-gap-of-a-single-shot", **data)
@@ -215,9 +216,9 @@ def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
 
 
 def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Picture:
-    """Return the picture of a session: where shots land, with an ellipse of one standard deviation, carries and gaps.
+    """Return the picture of a session: landings with one-standard-deviation ellipses, carries and gaps.
 
-    Mishits are grey crosses; ellipses, carries and gaps are without them.
+    Mishits are grey crosses and excluded from ellipses, carries and gaps.
 
     Raises
     ------
@@ -258,7 +259,7 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
 
 
 def _landings(shots: RecordedShots, club: ClubSummary, place: int) -> Iterator[Mark]:
-    """Yield the landings of a club, and their ellipse where there are enough."""
+    """Yield the landings of a club and, if there are enough, their ellipse."""
     off = np.isin(club.places, club.mishit_places)
     every = np.array([shots.launches[name][club.places] for name in ("side", "carry")])
     known = np.isfinite(every).all(axis=0)

@@ -1,7 +1,7 @@
-"""Shots one by one as a result: what was measured, what is computed of the rest, and the path of each flight.
+"""Shots one by one as a result: measured values, computed values for the rest, and flight paths.
 
-A computed value stands where the monitor gave none, and its row names it: launches follow from the club data by the
-model, flights from the launches in still air. Nothing that was measured is replaced.
+Computed values fill in what the monitor did not measure, and are listed in each row: launches are computed from club
+data by the model, flights from launches in still air. Measured values are never replaced.
 """
 
 from __future__ import annotations
@@ -34,48 +34,48 @@ from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
 LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
-"""What a flight needs."""
+"""Launch quantities needed for a flight."""
 SPINS = ("total_spin", "spin_axis")
 FLOWN = ("carry", "side", "apex", "landing_angle", "flight_time", "total", "total_side")
-"""What is computed of a flight."""
+"""Flight quantities computed."""
 RESTED = ("total", "total_side")
-"""What of it is of the place of rest."""
+"""Flight quantities that depend on where the ball comes to rest."""
 FIRST = (*OF_CLUB, "ball_speed", "smash", "launch", "azimuth", *SPINS, "backspin", "sidespin", *FLOWN)
-"""The order of the columns; others follow."""
+"""First columns, in order; others follow."""
 MOST_PATHS = 1000
-"""Flight paths that are computed one by one."""
+"""Maximum number of flight paths computed."""
 POINTS = 31
-"""Points of a flight path."""
+"""Number of points per flight path."""
 
 
 @dataclass(frozen=True)
 class CompletedShots:
-    """Shots with what is computed of them."""
+    """Shots with measured and computed values."""
 
-    shots: RecordedShots  # as they were measured
-    values: Mapping[str, Floats]  # measured and computed ones by quantity [SI]; NaN where there is neither
-    is_computed: Mapping[str, NDArray[np.bool_]]  # which of them are, by quantity
-    impossible: int  # shots of which the model makes no launch
-    launches: Mapping[int, Launch]  # the computed ones, by shot; a flight from them knows all of the spin
+    shots: RecordedShots  # as measured
+    values: Mapping[str, Floats]  # measured and computed values by quantity [SI]; NaN for neither
+    is_computed: Mapping[str, NDArray[np.bool_]]  # whether each value is computed, by quantity
+    impossible: int  # number of shots for which the model gives no launch
+    launches: Mapping[int, Launch]  # computed launches by shot; their flights use the full spin
 
     @property
     def flies(self) -> NDArray[np.bool_]:
-        """Which shots have all that a flight needs."""
+        """Whether each shot has everything a flight needs."""
         return _known(self.values, LAUNCHED, len(self.shots))
 
     def computed_at(self, place: int) -> list[str]:
-        """Return the quantities of a shot that are computed."""
+        """Return the names of a shot's computed quantities."""
         return [name for name in _ordered(self.values) if name in self.is_computed and self.is_computed[name][place]]
 
     def launch(self, place: int) -> dict[str, float]:
-        """Return what is known of the launch of a shot [SI]."""
+        """Return the known launch quantities of a shot [SI]."""
         names = (*LAUNCHED, *SPINS)
         every = {name: float(self.values[name][place]) for name in names if name in self.values}
         return {name: value for name, value in every.items() if value == value}
 
 
 def completed(shots: RecordedShots) -> CompletedShots:
-    """Return shots with launches from club data where no ball was measured, and flights from the launches."""
+    """Return shots completed by launches from club data, if the ball was not measured, and by flights."""
     count = len(shots)
     values = {name: each.copy() for name, each in (shots.deliveries | shots.launches).items()}
     is_computed: dict[str, NDArray[np.bool_]] = {}
@@ -105,7 +105,7 @@ def completed(shots: RecordedShots) -> CompletedShots:
             result[flies] = getattr(flight, name)
             for place, each in own.items():
                 result[place] = getattr(each, name)
-            if name in RESTED:  # a total of one flight does not go with the carry of another
+            if name in RESTED:  # a computed total must not be combined with a measured carry
                 result[measured_carry] = np.nan
             fill(name, result)
     return CompletedShots(shots, values, is_computed, impossible, launches)
@@ -114,7 +114,7 @@ def completed(shots: RecordedShots) -> CompletedShots:
 def shot_list_result(shots: RecordedShots, *, first: int = 1, title: str = "") -> Result:
     """Return shots one by one, with their flight paths.
 
-    ``first`` is the number of the first; ``title`` says what they are, their source unless given.
+    ``first`` is the number of the first shot; ``title`` defaults to the source.
     """
     every = completed(shots)
     numbers = list(range(first, first + len(shots)))
@@ -153,7 +153,7 @@ def _known(values: Mapping[str, Floats], names: Sequence[str], count: int) -> ND
 
 
 def _kinds(shots: RecordedShots) -> list[str]:
-    """Return the built-in club that stands for that of each shot, "" where there is none."""
+    """Return the built-in club for each shot, or "" if there is none."""
     if shots.clubs is None:
         return [""] * len(shots)
     return [kind if (kind := club_kind(str(each))) in CLUB_NAMES else "" for each in shots.clubs]
@@ -165,7 +165,7 @@ def _head(kind: str, hand: str) -> Club:
 
 
 def _launches(shots: RecordedShots) -> tuple[dict[int, Launch], int]:
-    """Return the launches of shots with club data, a known club and no ball data, and how many the model refuses."""
+    """Return computed launches of shots with club data and a known club but no ball data, and the number refused."""
     count = len(shots)
     result: dict[int, Launch] = {}
     speed = shots.deliveries.get("speed", np.full(count, np.nan))
@@ -189,7 +189,7 @@ def _launches(shots: RecordedShots) -> tuple[dict[int, Launch], int]:
 
 
 def _shapes(every: CompletedShots) -> list[str]:
-    """Return the name of each shot, such as "push fade"; "" where its start, carry or side is not known."""
+    """Return the shape of each shot, such as "push fade"; "" if its start, carry or side is unknown."""
     count, values = len(every.shots), every.values
     known = _known(values, ("azimuth", "carry", "side"), count)
     result = np.full(count, "", dtype=object)
@@ -201,7 +201,7 @@ def _shapes(every: CompletedShots) -> list[str]:
 
 
 def _paths(every: CompletedShots, numbers: Sequence[int]) -> Any:
-    """Return the table of the points of all flight paths, those of a shot one after the other."""
+    """Return the table of the points of all flight paths, shot by shot."""
     shot: list[int] = []
     points: list[NDArray[Any]] = []
     for place in np.flatnonzero(every.flies)[:MOST_PATHS]:

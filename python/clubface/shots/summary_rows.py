@@ -1,8 +1,8 @@
-"""Rows that sum up others, such as averages and deviations, which are no shots.
+"""Finding summary rows, such as averages and deviations, which are not shots.
 
-Such a row is known by what one of its cells says. A word such as "Max" may be a person or a club too: then the row sums
-up others only if its numbers do. A row without a name, or with one that no club and no other row has, is an average in
-whatever language if its numbers are those of one.
+A summary row is recognised by a word in one of its cells. A word such as "Max" may also be a person or a club; then the
+numbers must confirm that the row is a summary. A row without a name, or with a name unlike any club or other row, is an
+average, in whatever language, if its numbers match one.
 """
 
 from __future__ import annotations
@@ -27,27 +27,27 @@ _WORDS = vocabulary()["summaries"]
 _PHRASES = {tuple(phrase.split()): kind for phrase, kind in by_word(_WORDS["words"]).items()}
 _LONGEST = max(map(len, _PHRASES))
 _BEGINNINGS = by_word(_WORDS["stems"])
-"""How such words begin, which people cut short: ``Standardabw.``, ``Durchschn.``."""
+"""Stems of summary words, for abbreviations: ``Standardabw.``, ``Durchschn.``."""
 _NAMES_TOO, _PASSED_OVER = (frozenset(_WORDS[each]) for each in ("names_too", "passed_over"))
-"""Words of means and deviations that are also names, and words that say nothing."""
+"""Words for means and deviations that are also names, and words to ignore."""
 NUMBERING = frozenset(vocabulary()["columns"]["numbering"])
 """Headings of columns that number the shots."""
 TELLING = NUMBERING | set(vocabulary()["columns"]["labels"])
-"""Headings of columns in which such a word is no name."""
+"""Headings of columns in which a summary word cannot be a name."""
 NAMES = ("club", "player")
 AGREES = 0.6
-"""Part of the numbers of a row that must be those of a summary."""
+"""Share of a row's numbers that must match a summary."""
 FEWEST_CLOSE, AGREES_CLOSELY = 4, 0.75
-"""How many numbers of a row that nothing names a summary must be compared, and which part be those of one."""
+"""Minimum number of comparable numbers in a row without a summary word, and share of them that must match."""
 MOST_JUDGED = 200
-"""Rows of some that may sum up others, above which none does."""
+"""Maximum number of candidate rows; with more, none counts as a summary."""
 _LETTER = re.compile(r"[^\W\d_]")
 MANY = 1000
-"""Different texts of a column, above which those that begin with a digit, as dates do, are no summaries."""
+"""Number of different texts in a column above which those beginning with a digit, such as dates, are skipped."""
 
 
 class _Label(NamedTuple):
-    """What a text says of the row: the kind of summary, whether it can mean nothing else, and the words left over."""
+    """Meaning of a text: kind of summary, whether it is unambiguous, and the remaining words."""
 
     kind: str
     is_clear: bool
@@ -57,11 +57,11 @@ class _Label(NamedTuple):
 def summary_rows(
     labels: Mapping[int, str], cells: Sequence[Any], values: Mapping[str, Floats], doubtful: Iterable[int] = ()
 ) -> set[int]:
-    """Return which rows sum up others.
+    """Return the indices of summary rows.
 
-    ``labels`` has the places of the columns of texts, with "club", "player", or the heading in plain words; ``cells``
-    are by column, and ``values`` the numbers by quantity. ``doubtful`` rows have a cell that should be a number and is
-    none, which may say it there.
+    ``labels`` maps positions of text columns to "club", "player", or the heading in plain words; ``cells`` are given by
+    column and ``values`` are the numbers by quantity. ``doubtful`` rows have text in a numeric cell, which may be a
+    summary word.
     """
     certain: set[int] = set()
     possible: dict[int, str] = {}
@@ -89,7 +89,7 @@ def summary_rows(
         if any((label := _label(each)) is not None and label.is_clear for each in texts):
             certain.add(row)
     if len(possible) > MOST_JUDGED:
-        return certain  # a mark that so many shots have
+        return certain  # so many rows share the word that it is a remark on shots
     uncounted = _uncounted(labels, cells)
     unnamed = _unnamed(labels, cells) - certain - possible.keys()
     may_be_shot = np.ones(len(next(iter(values.values()))), dtype=bool)
@@ -97,18 +97,20 @@ def summary_rows(
     is_shot = may_be_shot.copy()
     is_shot[[*unnamed]] = False
     for row, kind in possible.items():
-        # A remark that most shots have, and some lack, makes those no less shots.
+        # A remark on most shots does not make the others summaries.
         if row not in certain and (
-            row in uncounted or any(_sums_up(row, kind, each, values) for each in (is_shot, may_be_shot))
+            row in uncounted or any(_summarises(row, kind, each, values) for each in (is_shot, may_be_shot))
         ):
             certain.add(row)
     return certain | {
-        row for row in unnamed if any(_sums_up(row, kind, is_shot, values, closely=True) for kind in (MEAN, DEVIATION))
+        row
+        for row in unnamed
+        if any(_summarises(row, kind, is_shot, values, closely=True) for kind in (MEAN, DEVIATION))
     }
 
 
 def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
-    """Return the few rows that lack a text which all others have, or have one that no club and no other row has."""
+    """Return the few rows that lack a text most others have, or whose club name is unknown and unique."""
     few: set[int] = set()
     for place, heading in labels.items():
         column = cells[place]
@@ -123,7 +125,7 @@ def _unnamed(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
 
 
 def summaries_in(chunk: Chunk, columns: ColumnLayout) -> dict[int, str]:
-    """Return the rows of a plain table of deliveries that sum up others, each with the note on it."""
+    """Return the summary rows of a plain table of deliveries, each with a note."""
     used = {each.place for each in columns.used}
     cells = [np.empty(0) if place in used else chunk.cells(place) for place in range(len(columns.headings))]
     texts = {place: each for place, each in enumerate(cells) if not isinstance(each, np.ndarray)}
@@ -140,7 +142,7 @@ def summaries_in(chunk: Chunk, columns: ColumnLayout) -> dict[int, str]:
 
 @lru_cache(maxsize=8192)
 def _label(text: str) -> _Label | None:
-    """Return what a text says of its row; None where it is no summary."""
+    """Return the meaning of a text; None if it is not a summary word."""
     words = _spelled(text).split()
     kind, is_clear, rest, place = "", False, [], 0
     while place < len(words):
@@ -173,7 +175,7 @@ def _spelled(text: str) -> str:
 
 
 def _uncounted(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
-    """Return the rows that have no number in a column that numbers nearly all others."""
+    """Return the rows without a number in a column that numbers most rows."""
     for place, heading in labels.items():
         if heading in NUMBERING:
             empty = {row for row, cell in enumerate(cells[place]) if not cell.strip()}
@@ -181,8 +183,8 @@ def _uncounted(labels: Mapping[int, str], cells: Sequence[Any]) -> set[int]:
     return set()
 
 
-def _sums_up(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats], closely: bool = False) -> bool:
-    """Return whether the numbers of a row sum up those of shots: the ones next to it, on one side, or all of them."""
+def _summarises(row: int, kind: str, is_shot: Any, values: Mapping[str, Floats], closely: bool = False) -> bool:
+    """Return whether a row's numbers summarise shots: the adjacent ones, those on one side, or all."""
     shots = np.flatnonzero(is_shot)
     groups = [shots]
     for side, last in ((shots[shots < row], True), (shots[shots > row], False)):
@@ -208,7 +210,7 @@ def _agrees(row: int, kind: str, group: Any, values: Mapping[str, Floats], close
 
 
 def _summaries(kind: str, shots: Floats) -> list[float]:
-    """Return what a summary of a kind may be; most and least also without the sign, for sides."""
+    """Return the possible values of a kind of summary; for sides, extremes also count without sign."""
     mean = float(shots.mean())
     if kind == MEAN:
         return [mean]
