@@ -211,8 +211,8 @@ def test_wedges_without_published_averages_are_hit_as_pitching_wedges_by_golfers
     result, usual = prior_of(None, sand), prior_of("wide", pitching)
     assert result.mean["speed"] == usual.mean["speed"]
     assert result.mean["loft"] - usual.mean["loft"] == pytest.approx(sand.loft - pitching.loft, rel=1e-12)
-    with pytest.raises(InputError, match='sand-wedge "wide" or a file'):
+    with pytest.raises(InputError, match='"wide" or a file for sand-wedge'):
         prior_of("tour", sand)
     assert prior_of(None, pitching).name == "tour averages, pitching-wedge"
-    with pytest.raises(InputError, match="give a file"):
+    with pytest.raises(InputError, match="a file for prototype"):
         prior_of(None, sand.replace(name="prototype"))

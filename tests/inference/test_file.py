@@ -62,7 +62,7 @@ def test_a_shot_without_a_launch_says_so(tmp_path):
         each[0] = np.nan
     report = files.infer_shots(shots, tmp_path / "out.csv", **OPTIONS)
     assert report.without == 1
-    assert rows_of(tmp_path / "out.csv")[0]["remark"] == "nothing of the launch was measured"
+    assert rows_of(tmp_path / "out.csv")[0]["remark"] == "no launch quantity was measured"
 
 
 def test_a_shot_out_of_reach_says_so_and_the_others_are_inferred(tmp_path):
@@ -169,7 +169,7 @@ def test_mistakes_are_one_message(clubface_, write, tmp_path):
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--prior", "elit"), "did you mean elite")
     assert_mistake(clubface_("infer", "--club", "driver", *LAUNCH, "--plot", "x.bmp"), "x.bmp")
     assert_mistake(clubface_("infer", source, "--club", "driver"), "--output is missing")
-    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "a file other than")
+    assert_mistake(clubface_("infer", source, "--club", "driver", "-o", source), "another output file")
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159"), '"159 mph"', "bare number is in m/s")
     assert_mistake(clubface_("infer", "--club", "driver", "--ball-speed", "159 m/s"), "within reach of the prior")
     assert_mistake(clubface_("infer", source, *LAUNCH, "--club", "driver"), "--ball-speed is for one launch")

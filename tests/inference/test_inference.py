@@ -165,7 +165,7 @@ def test_priors_are_elite_tour_or_wide_and_know_their_clubs():
     assert tour.mean["speed"] == pytest.approx(83 * MPH)
     assert tour.mean["attack"] == pytest.approx(-5.0 * DEG)
     assert prior_of("wide", wedge).mean["speed"] < tour.mean["speed"]
-    with pytest.raises(InputError, match='for pitching-wedge "tour"'):
+    with pytest.raises(InputError, match=r'"tour".* for pitching-wedge'):
         prior_of("elite", wedge)
     with pytest.raises(UnknownNameError, match="did you mean elite"):
         prior_of("elit", driver)
@@ -220,7 +220,7 @@ def test_a_bad_file_is_reported_with_its_line(write, old, new, words_of_error):
         ({"ball_speed": 70.0}, {"seed": -1}, "seed is -1; it must be a whole number from 0"),
         ({"ball_sped": 70.0}, {}, "did you mean ball_speed"),
         ({"total_spin": 300.0, "backspin": 299.0}, {}, "give it with spin_axis or sidespin"),
-        ({"total_spin": 200.0, "backspin": 299.0}, {}, "one vector"),
+        ({"total_spin": 200.0, "backspin": 299.0}, {}, "spin is backspin.*must be consistent"),
         ({"spin_axis": "5 deg"}, {}, "give it with total_spin or backspin"),
         ({"total_spin": 300.0}, {}, "give it with spin_axis or sidespin"),
         ({"ball_speed": "70 deg"}, {}, "ball_speed"),

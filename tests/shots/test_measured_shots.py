@@ -51,7 +51,7 @@ def test_a_shot_without_a_delivery_value_or_without_any_launch_is_dropped_with_i
         club="driver",
     )
     assert list(shots.rows) == [2, 4]
-    assert shots.dropped == ((3, "speed was not measured"), (5, "nothing of the launch was measured"))
+    assert shots.dropped == ((3, "speed was not measured"), (5, "no launch quantity was measured"))
     assert np.isnan(shots.launch["ball_speed"][1])
 
 
@@ -108,7 +108,7 @@ def test_shots_that_cannot_be_compared_are_refused_with_the_reason():
         measured_shots(recorded(speed=[NAN] * 4), club="driver")
     with pytest.raises(InputError, match="with a measured launch: sidespin"):
         measured_shots(recorded(), club="driver", quantities=("sidespin",))
-    with pytest.raises(InputError, match="2: nothing of the launch"):
+    with pytest.raises(InputError, match="2: no launch quantity"):
         measured_shots(recorded(launch=[NAN] * 4), club="driver", quantities=("launch",))
 
 

@@ -85,7 +85,7 @@ class ShotRows:
         club_data = {name: value for name, value in club_data.items() if np.isfinite(value)}
         nothing = [""] * (4 * len(self.names) + 1)
         if not measured:
-            return [*cells, *nothing, "nothing of the launch was measured"]
+            return [*cells, *nothing, "no launch quantity was measured"]
         hand = self._head.hand if shots.hand is None else HANDS[shots.hand[place]]
         try:
             with without_warnings(RangeWarning):
@@ -197,7 +197,7 @@ def infer_shots(
     if target.suffix.lower() != ".csv":
         raise InputError("output", str(output), "a file ending in .csv")
     if target.exists() and os.path.exists(shots.source) and target.samefile(shots.source):
-        raise FileError(str(target), None, "the output must be a file other than the one that is read")
+        raise FileError(str(target), None, "this is the input file; give another output file")
     if not target.parent.is_dir():
         raise FileError(str(target), None, f"there is no folder {str(target.parent)!r}")
     rows = ShotRows(shots, **options)

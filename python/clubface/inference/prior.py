@@ -94,7 +94,9 @@ class Prior:
 
     def __post_init__(self) -> None:
         if list(self.mean) != list(self.deviation):
-            raise InputError("deviation", list(self.deviation), f"for the same quantities: {', '.join(self.mean)}")
+            raise InputError(
+                "deviation", list(self.deviation), f"given for the same quantities as the mean: {', '.join(self.mean)}"
+            )
         for name in self.mean:
             check_choice("quantity of a delivery", name, OF_CLUB)
         for part in ("mean", "deviation"):
@@ -102,7 +104,7 @@ class Prior:
             object.__setattr__(self, part, values)
         for name in self.mean:
             if not (np.isfinite(self.mean[name]) and self.deviation[name] > 0.0):
-                raise InputError(name, self.deviation[name], "a positive standard deviation; leave out what is known")
+                raise InputError(name, self.deviation[name], "positive; leave out quantities that are known exactly")
         if "speed" not in self.mean:
             raise InputError("speed", None, "give it: it must be among the quantities of the prior")
         for pair, value in self.correlations.items():
@@ -114,7 +116,9 @@ class Prior:
             np.linalg.cholesky(self._matrix())
         except np.linalg.LinAlgError:
             given = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
-            raise InputError("correlations", given, "correlations that are possible together") from None
+            raise InputError(
+                "correlations", given, "consistent with each other, as in a positive definite matrix"
+            ) from None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -176,7 +180,11 @@ def _named(given: Any, head: Club) -> Prior:
         given = "elite" if head.name in of_elite else "wide" if _is_without_averages(head.name) else "tour"
     if given == "elite":
         if head.name not in of_elite:
-            raise InputError("prior", "elite", f'for {" or ".join(HEADS)}; for {head.name} "tour", "wide" or a file')
+            raise InputError(
+                "prior",
+                "elite",
+                f'"tour", "wide" or a file for {head.name}: "elite" exists only for {" and ".join(HEADS)}',
+            )
         return elite(of_elite[head.name])
     return tour(head) if given == "tour" else wide(head)
 
@@ -206,7 +214,9 @@ def tour(head: Club) -> Prior:
     """
     name = _tour_club(head.name)
     if name is None or _is_without_averages(head.name):
-        raise InputError("prior", "tour", f"for one of {', '.join(TOUR_CLUBS)}; for {head.name} {_OTHERS[name]}")
+        raise InputError(
+            "prior", "tour", f'{_OTHERS[name]} for {head.name}: "tour" exists only for {", ".join(TOUR_CLUBS)}'
+        )
     return _delivered_as(name, head)
 
 
@@ -231,7 +241,7 @@ def _delivered_as(name: str, head: Club) -> Prior:
 
 WEDGE = "pitching-wedge"
 """Club whose averages the prior "wide" uses for wedges of more loft, for which none are published; assumed."""
-_OTHERS = {None: "give a file", WEDGE: '"wide" or a file'}
+_OTHERS = {None: "a file", WEDGE: '"wide" or a file'}
 
 
 def _tour_club(name: str) -> str | None:

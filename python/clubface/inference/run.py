@@ -204,7 +204,7 @@ class Inference:
                 again, _ = drawn(residuals, slopes, len(self.prior.names), size=RETRIED * self._samples, **options)
                 draws = again._replace(points=again.points[: self._samples])
         except FloatingPointError:
-            advice = f"one whose deliveries {self.club.name} and {self.model} can compute"
+            advice = f"one with deliveries that {self.model} can compute for {self.club.name}"
             raise InputError("prior", self.prior.name, advice) from None
         impacts = self.impacts
         expected = self._expectation(seen, names + club_names, scale, known)
@@ -308,7 +308,7 @@ class Inference:
 def _measured(launch: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured launch quantities [SI], with the spin as backspin and sidespin."""
     if not isinstance(launch, Mapping):
-        raise InputError("launch", launch, 'a mapping of what was measured, as in {"ball_speed": "160 mph"}')
+        raise InputError("launch", launch, 'a mapping of measured values, as in {"ball_speed": "160 mph"}')
     dimensions = {**_DIMENSIONS, **SPIN_DIMENSIONS}
     check_names("launch value", launch, dimensions)
     given = {
@@ -336,7 +336,7 @@ def _parts(spins: dict[str, float]) -> dict[str, float]:
 def _measured_club(delivery: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured club data [SI]."""
     if not isinstance(delivery, Mapping):
-        raise InputError("delivery", delivery, 'a mapping of what was measured, as in {"speed": "110 mph"}')
+        raise InputError("delivery", delivery, 'a mapping of measured values, as in {"speed": "110 mph"}')
     check_names("delivery value", delivery, OF_CLUB)
     given = {
         name: units.parse(value, OF_CLUB[name], name=name) for name, value in delivery.items() if value is not None

@@ -305,7 +305,7 @@ def measured_shots(
             reasons.setdefault(int(row), f"{name} was not measured")
     nothing = np.all([~np.isfinite(recorded.launches[name]) for name in wanted], axis=0)
     for row in np.flatnonzero(nothing):
-        reasons.setdefault(int(row), "nothing of the launch was measured")
+        reasons.setdefault(int(row), "no launch quantity was measured")
     kept = np.array([row not in reasons for row in range(len(recorded))], dtype=bool)
     dropped = [RejectedRow(int(recorded.rows[row]), reason) for row, reason in sorted(reasons.items())]
     if not kept.any():

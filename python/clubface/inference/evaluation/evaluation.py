@@ -110,25 +110,25 @@ def evaluate(
     enough = fewest_resamples(len(names))
     seed = check_count("seed", seed, 0, MOST_SEED)
     if not is_count(resamples, max(enough, FEWEST_RESAMPLES), MOST_SEED):
-        why = f": with fewer, none of {len(names)} models can be called worse than another" * (
+        why = f"; with fewer, none of {len(names)} models can be found significantly worse" * (
             enough > FEWEST_RESAMPLES
         )
-        raise InputError("resamples", resamples, f"a whole number from {max(enough, FEWEST_RESAMPLES)} on{why}")
+        raise InputError("resamples", resamples, f"a whole number of at least {max(enough, FEWEST_RESAMPLES)}{why}")
     monitor, disturbance = (
         monitor_noise(noise),
         standard_deviations(delivery_noise, OF_CLUB, "delivery_noise"),
     )
     source = shots if isinstance(shots, RecordedShots) else read(shots)
     if groups is not None and source is not shots:
-        advice = "give RecordedShots, to which groups can belong, one to each shot"
-        raise InputError("groups", Wording("for a file"), advice)
+        advice = "give RecordedShots instead of a file, with one group label per shot"
+        raise InputError("groups", Wording("given for a file"), advice)
     taken = measured_shots(source, club=club, only=only, mismatch=mismatch, compared_at=compared_at)
     # Only players among the shots used count: shots of a single player form no groups.
     labels = source.select(taken.places).groups() if groups is None else group_labels(groups, len(source))[taken.places]
     given = parameters or {}
     for name in given:
         if name not in names:
-            raise InputError("parameters", name, f"for one of the models evaluated: {', '.join(names)}")
+            raise InputError("parameters", name, f"the name of a model that is evaluated: {', '.join(names)}")
     sets = {name: parameter_set(name, taken.club, given.get(name)) for name in names}
 
     def predict(name: str, given: Mapping[str, Floats]) -> dict[str, Floats]:

@@ -204,7 +204,7 @@ def _bounds(parameter: Parameter, given: Any, tied: Mapping[str, str], model: st
     try:
         first, second = given
     except (TypeError, ValueError):
-        raise InputError(f"bounds of {parameter.name}", given, "a pair, the lower one first") from None
+        raise InputError(f"bounds of {parameter.name}", given, "a pair of bounds, the lower one first") from None
     pair = tuple(units.parse(each, dimension, name=f"bound of {parameter.name}") for each in (first, second))
     if not low <= pair[0] < pair[1] <= high:
         allowed = f"increasing, within {units.show(low, parameter.unit)} to {units.show(high, parameter.unit)}"
@@ -333,7 +333,9 @@ def prepared_shots(
     compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
     asked = compared if quantities is None else _asked(quantities)
     if met := set(asked) & set(SOLVED) - set(compared):
-        raise InputError("quantities", min(met), f"quantities that are not met at the launch: {', '.join(compared)}")
+        raise InputError(
+            "quantities", min(met), f"quantities other than those met at the launch: {', '.join(compared)}"
+        )
     measured = measured_shots(
         recorded, club=club, only=only, mismatch=mismatch, quantities=asked, compared_at=compared_at
     )
@@ -363,9 +365,7 @@ def prepared_shots(
     dropped = [RejectedRow(int(measured.rows[row]), reason) for row, reason in sorted(problems.items())]
     if not len(kept):
         reasons = "; ".join(f"{each.line}: {each.reason}" for each in dropped[:3])
-        raise InputError(
-            "shots", measured.source, f"shots of which some have a launch that can be computed ({reasons})"
-        )
+        raise InputError("shots", measured.source, f"shots with at least one launch that can be computed ({reasons})")
     taken = measured.places[kept]
     labels = recorded.select(taken).groups() if labels is None else labels[taken]
     columns = [launch.input(name) for name in inputs()]

@@ -400,7 +400,7 @@ def identify(
     }  # fmt: skip
     for name, (count, least, most) in counts.items():
         if not is_count(count, least, most) or (name == "folds" and count == 1):
-            but = ", but 1" if name == "folds" else ""
+            but = ", except 1" if name == "folds" else ""
             raise InputError(name, count, f"a whole number from {least} to {most}{but}")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
@@ -453,7 +453,7 @@ def identify(
         except KeyboardInterrupt:
             if store.folder is None or not len(store):
                 raise
-            message = f"interrupted: what is finished is kept in {store.folder}; the same command goes on after it"
+            message = f"interrupted: finished parts are kept in {store.folder}; the same command continues from there"
             raise KeyboardInterrupt(message) from None
         store.remove()
     return identification

@@ -314,10 +314,10 @@ def _normalisers(
         if mean < least:
             symbol = display_unit(name, outputs()[name].unit)
             what = "|measured|" if normaliser == "absolute" else "measured values"
-            advice = "leave the quantity out" + (", or take the absolute normaliser" if normaliser == "signed" else "")
+            advice = "leave the quantity out" + (", or use the absolute normaliser" if normaliser == "signed" else "")
             shown = units.show(float(mean), symbol, 3)
             raise InputError(
                 f"the mean of {what} of {name}", shown,
-                f"above its noise, {units.show(float(least), symbol, 3)}, to divide by; {advice}",
+                f"above its noise, {units.show(float(least), symbol, 3)}, since errors are divided by it; {advice}",
             )  # fmt: skip
     return means
