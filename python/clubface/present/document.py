@@ -22,11 +22,11 @@ class Data(NamedTuple):
     Attributes
     ----------
     name
-        Name of the file, without an ending.
+        Name of the file, without extension.
     headings
-        One a column, with its unit: "carry (yd)".
+        One heading per column, with its unit: "carry (yd)".
     rows
-        Numbers, texts, or None for what is not known.
+        Numbers, texts, or None for unknown values.
     """
 
     name: str
@@ -62,7 +62,7 @@ class Bullets(NamedTuple):
 
 
 class TextTable(NamedTuple):
-    """A table of texts; ``data`` has its numbers, or None."""
+    """A table of texts; ``data`` holds its numbers, or None."""
 
     headings: Sequence[str]
     rows: Sequence[Sequence[str]]
@@ -70,9 +70,9 @@ class TextTable(NamedTuple):
 
 
 class DocumentPicture(NamedTuple):
-    """A picture: what it shows, in words, the text of its SVG, and the numbers it draws, or None.
+    """A picture: its caption, the text of its SVG, and the numbers it draws, or None.
 
-    ``narrow`` draws what a telephone shows, and returns the text of its SVG: Markdown has no use for it.
+    ``narrow`` draws the version for phones and returns the text of its SVG; Markdown does not use it.
     """
 
     shows: str
@@ -115,7 +115,7 @@ _STYLE = (
     "pre{font-size:13px;white-space:pre-wrap;overflow-wrap:anywhere;border-left:3px solid #ddd;padding-left:.8em}"
     "a{color:#005a8f;overflow-wrap:anywhere}"
     "summary{font:bold 1.5em/1.2 system-ui,sans-serif;cursor:pointer;border-bottom:2px solid #0072B2;margin:2em 0 1em}"
-    # Pictures are dark on white: turned round, with the hues as they were.
+    # Pictures are dark on white: invert them, but keep the hues.
     "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;background:#121613}body{color:#e9efea}"
     "a{color:#79c0ff}figcaption,.save{color:#a7b3ab}th,td{border-color:#343d37}pre{border-color:#343d37}"
     "h2,summary,thead th{border-color:#79c0ff}img{filter:invert(.92) hue-rotate(180deg)}}"
@@ -156,7 +156,7 @@ def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Pat
 
 
 def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Refuse another kind of report before any work is done."""
+    """Raise InputError for any other kind of report before any work is done."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
         raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
@@ -197,7 +197,7 @@ def _html(block: Block) -> str:
         saved = _saved([_link(source, block.name, "the file")])
         return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
     if isinstance(block, TextTable):
-        shown = _html_table(block) if block.rows else ""  # a table of which nothing is printed is only saved
+        shown = _html_table(block) if block.rows else ""  # a table without printed rows is only saved
         return shown + _saved([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
     source = _in_the_page(block.svg, "image/svg+xml")

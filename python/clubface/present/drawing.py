@@ -70,7 +70,7 @@ def _stacked(picture: Picture) -> Picture:
                 height = sum(inches[line : _end_of_tall(picture.rows, line, place)])
             first = row[0]
             if first is not None and first.y.names and panel.y.names is None and (picture.share_y or not panel.y.ticks):
-                panel = replace(panel, y=first.y)  # side by side, the names of the first panel served this one too
+                panel = replace(panel, y=first.y)  # side by side, this panel shared the names of the first one
             panels.append(panel)
             around = min(AROUND, height)
             heights.append(around + (height - around) * min(1.0, NARROW / width) if panel.equal else height)
@@ -89,7 +89,7 @@ def _end_of_tall(rows: Sequence[Sequence[Panel | None]], line: int, place: int) 
 class _RoundedLayout(ConstrainedLayoutEngine):
     """Constrained layout to 1e-9 of the figure.
 
-    The order of its equations, and with it the last digits of a place, depends on where variables stand in memory.
+    The order of its equations, and with it the last digits of positions, depends on memory addresses.
     """
 
     def execute(self, fig: Any) -> None:
@@ -129,7 +129,7 @@ def _draw(picture: Picture, width: float) -> Figure:
             if picture.share_y and first_of_row[line] is not axes:
                 axes.set_ylabel("")
                 axes.tick_params(labelleft=False)
-        for group in bars.values():  # panels that share the axis of their values share its bar
+        for group in bars.values():  # panels with a common axis of values share a colour bar
             every, (shown, *_), (panel, *_) = zip(*group, strict=True)
             if shown is not None and panel.values is not None:
                 bar = figure.colorbar(shown, ax=list(every), fraction=0.05, pad=0.01)
@@ -151,7 +151,7 @@ def animate(pictures: Sequence[Picture], path: str | os.PathLike[str], *, second
     figure.set_dpi(100)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    figure.set_layout_engine("none")  # the places of the panels stay
+    figure.set_layout_engine("none")  # the positions of the panels stay fixed
     panels = [axes for axes in figure.axes if axes.get_label() != "<colorbar>"]
     images = []
     for picture in pictures:

@@ -129,7 +129,7 @@ def _result_blocks(result: Result, units: Mapping[str, str] | None, level: int) 
     yield Heading(level, result.title)
     if result.assumptions:
         yield Paragraph(tuple(each.sentence for each in result.assumptions))
-    if result.lead:  # what to do, then a list of what bears on it
+    if result.lead:  # the advice, then a list of its reasons
         first, *others = (each.sentence for each in result.lead)
         yield Paragraph((first,))
         if others:
@@ -250,19 +250,19 @@ def write_folder(
 ) -> list[Path]:
     """Write a result to a folder, creating it if needed; return the files.
 
-    The page (Markdown), JSON and the main table (CSV) are called as the kind of the result, the other tables and the
-    pictures (PNG and SVG) by their names.
+    The page (Markdown), JSON and the main table (CSV) are named after the kind of the result, the other tables and the
+    pictures (PNG and SVG) after themselves.
 
     Parameters
     ----------
     units
-        Units for people, by quantity.
+        Display units by quantity.
     command
-        What computes the result again.
+        Command that computes the result again.
     pages
-        Endings of its pages; one in HTML has the pictures inside.
+        File extensions of its pages; HTML pages contain the pictures.
     tables
-        Further tables by the name of their file, or what stands there in place of a table of the result.
+        Additional tables, or replacements for tables of the result, by file name.
     """
     from clubface.present.drawing import draw
     from clubface.present.style import save

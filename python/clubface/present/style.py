@@ -23,8 +23,8 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9", "#8C510A", "#7F7F7F")
-"""One per model, in the order of the registry, the last for finite elements; distinguishable by colour-blind readers
-(Okabe and Ito, brown and grey)."""
+"""One colour per model, in the order of the registry, the last for finite elements; distinguishable by colour-blind
+readers (Okabe and Ito, brown and grey)."""
 _FOUR: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1.2)), (0, (5, 1.2, 1, 1.2)))
 DASHES: tuple[Any, ...] = (*_FOUR, *_FOUR, (0, (9, 1.2)))
 """Dash patterns, so that models can be told apart in black and white."""
@@ -107,7 +107,7 @@ def _models() -> list[str]:
 
 
 def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = None) -> None:
-    """Put one legend and the title of the figure above all panels, where they cover nothing."""
+    """Put one legend and the title of the figure above all panels."""
     handles = list(lines)
     width = sum(len(str(each.get_label())) + 6 for each in handles)
     room = 110 * figure.get_figwidth() / WIDTH
@@ -119,7 +119,7 @@ def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = No
 
 
 def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Refuse a picture whose ending is not one of ``ENDINGS``."""
+    """Raise InputError for a picture whose ending is not one of ``ENDINGS``."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
         raise InputError("picture", os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
@@ -138,7 +138,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
 def _render(figure: Figure, file: IO[Any], kind: str) -> None:
     """Draw a figure into a file.
 
-    The canvas lays it out and draws it, once; ``Figure.savefig`` draws it before as well, to lay it out.
+    The canvas lays it out and draws it once; ``Figure.savefig`` would draw it twice, the first time for the layout.
     """
     _make_legible(figure)
     figure.set_dpi(mpl.rcParams["savefig.dpi"] if kind == "png" else POINTS)
@@ -147,7 +147,7 @@ def _render(figure: Figure, file: IO[Any], kind: str) -> None:
 
 
 def _make_legible(figure: Figure) -> None:
-    """Escape control characters in the names of files, clubs and players."""
+    """Escape control characters in texts, such as names of files, clubs and players."""
     for each in figure.findobj(Text):
         if isinstance(each, Text) and (text := legible(each.get_text(), LINES)) != each.get_text():
             each.set_text(text)

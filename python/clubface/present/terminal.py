@@ -18,11 +18,11 @@ from clubface.results.result import Result
 from clubface.results.table import Column, Table
 
 WIDEST = 120
-"""Characters in a line of text."""
+"""Maximum length of a line of text [characters]."""
 NARROWEST = 14
-"""Width to which a text column is wrapped before a table continues below."""
+"""Minimum width of a wrapped text column, before a table continues below [characters]."""
 LONGEST_NUMBER = 24
-"""Characters of a number with its remark, such as "1.20 [0.95, 1.45]"."""
+"""Maximum length of a number with its remark, such as "1.20 [0.95, 1.45]" [characters]."""
 
 
 def terminal_width() -> int | None:
@@ -45,9 +45,9 @@ def as_text(
     Parameters
     ----------
     units
-        The unit of a quantity for people, by name; that of the registry unless given.
+        Display units by quantity. Default: those of the registry.
     width
-        Columns of the terminal; None for as many as the tables take.
+        Width of the terminal [characters]; None for the full width of the tables.
     emphasis
         Whether headings are set in bold.
     """
@@ -162,19 +162,19 @@ def lay_out(
     Parameters
     ----------
     heads
-        One heading a column; lines are separated by ``\n``.
+        One heading per column; lines are separated by ``\n``.
     rows
-        Cells, already written out; those of the first column are names.
+        Cells as text; those of the first column are names.
     title
-        Printed above.
+        Title printed above.
     width
-        Columns of the terminal; None for as many as the table takes.
+        Width of the terminal [characters]; None for the full width of the table.
     emphasis
         Whether headings are set in bold.
     summary
-        Whether the last row sums up the others and is set apart.
+        Whether the last row summarises the others and is set apart.
     texts
-        Columns of words, which stand to the left and are wrapped where the table is too wide.
+        Columns of words, which are aligned to the left and wrapped if the table is too wide.
     """
     body = [[legible(cell, "\n") for cell in row] for row in rows]
     heads = [legible(head, "\n") for head in heads]

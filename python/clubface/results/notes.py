@@ -14,14 +14,14 @@ from clubface.results.catalogue import SENTENCES
 from clubface.results.table import Column
 
 MOST_RANGES = 4
-"""Ranges of whole numbers that a sentence lists."""
+"""Maximum number of ranges of whole numbers listed in a sentence."""
 _PLACES = {
     "at_line": "line {{at_line}}: {}",
     "at_row": "row {{at_row}}: {}",
     "in_shots": "{} (in {{in_shots}} of {{of_shots:n shot}})",
     "in_files": "{{in_files}}: {}",
 }
-"""How a sentence is extended by data on where it is true."""
+"""Extensions of a sentence by the place to which it applies."""
 _WORDS = re.compile(r"(?P<more>[^/]+)/(?P<less>[^/]+?)(?:/(?P<none>[^/]+?))?(?: (?P<digits>\d+))?")
 
 
@@ -31,12 +31,11 @@ class Note(NamedTuple):
     Attributes
     ----------
     code
-        Names its sentence in the catalogue: "outside-aerodynamic-data".
+        Code of its sentence in the catalogue, such as "outside-aerodynamic-data".
     data
-        What the sentence says: texts, whole numbers, lists, SI values under names that end in a quantity, and
-        mappings from names to any of these. Any note may also say where it is true: in which files
-        (``in_files``), at which line or row (``at_line``, ``at_row``), in how many shots (``in_shots``) of how many
-        (``of_shots``).
+        Data of the sentence: texts, whole numbers, lists, SI values under names that end in a quantity, and mappings
+        from names to any of these. Any note may also give the place to which it applies: files (``in_files``), a line
+        or row (``at_line``, ``at_row``), or a number of shots (``in_shots``) out of all (``of_shots``).
     """
 
     code: str
@@ -50,7 +49,7 @@ class Note(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """The sentence, in the units that people read."""
+        """The sentence in display units."""
         text = SENTENCES[self.code]
         for name, place in _PLACES.items():
             if name in self.data:
@@ -58,7 +57,7 @@ class Note(NamedTuple):
         return _SENTENCE.vformat(text, (), self.data)
 
     def of(self, **data: Any) -> Note:
-        """Return the note with further data, such as ``in_files``."""
+        """Return the note with additional data, such as ``in_files``."""
         return self._replace(data={**self.data, **data})
 
     def to_dict(self) -> dict[str, Any]:
@@ -79,23 +78,23 @@ def free_text(sentences: Sequence[str]) -> list[Note]:
 
 
 def placeholders(code: str) -> set[str]:
-    """Return the names of the data that a sentence needs."""
+    """Return the names of the data required by a sentence."""
     return {name for _, name, _, _ in Formatter().parse(SENTENCES[code]) if name}
 
 
 class _Sentence(Formatter):
-    """Formats data as people read it.
+    """Formats the data of a note in display units.
 
-    ``{carry}`` has the unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
-    ``{carry:bare}`` no unit; ``{side:sides}`` says "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", and with
-    a third word that word alone where the value is zero to the digits shown; the value stands where a word has "#", as
-    in ``{curve:curves # right/curves # left/flies straight}``; ``{shots:n shot}`` counts ("1 shot",
-    "3 shots"), ``{shots:?was/were}`` agrees with a count. A list is joined by commas, by ``{names:and}`` or
-    ``{names:;}``; ``{names:labels}`` lists the labels of quantities; ``{names:3}`` counts those after the third, and
-    ``{frames:ranges}`` says "3, 7-12". A mapping lists quantities with their labels ("launch angle 12.1 deg"), by
-    ``{figures:changes}`` with signs and without zeros, by ``{figures:values}`` without labels; a pair of numbers in it
-    is a value with its standard deviation, a whole number counts ("3 Measured"), and a text stands in brackets ("Carry
-    (yd)"). Any other format is Python's, applied to the number as it is.
+    ``{carry}`` has unit and digits of the quantity, ``{carry:0}`` other digits, ``{carry:m 1}`` another unit,
+    ``{carry:bare}`` no unit; ``{side:sides}`` gives "3.2 yd right", ``{speed:faster/slower}`` "1.2 mph faster", with a
+    third word for a value that is zero to the digits shown; "#" in a word is replaced by the value, as in
+    ``{curve:curves # right/curves # left/flies straight}``; ``{shots:n shot}`` counts ("1 shot", "3 shots"),
+    ``{shots:?was/were}`` agrees with a count. A list is joined by commas, or as given by ``{names:and}`` or
+    ``{names:;}``; ``{names:labels}`` lists the labels of quantities; ``{names:3}`` lists three and counts the rest, and
+    ``{frames:ranges}`` gives "3, 7-12". A mapping lists quantities with their labels ("launch angle 12.1 deg"), with
+    signs and without zeros for ``{figures:changes}``, without labels for ``{figures:values}``; a pair of numbers in it
+    is a value with its standard deviation, a whole number is a count ("3 Measured"), and a text goes in brackets
+    ("Carry (yd)"). Any other format is Python's, applied to the bare number.
     """
 
     def get_value(self, key: int | str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> Any:

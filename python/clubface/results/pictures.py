@@ -1,7 +1,7 @@
-"""Pictures as specifications: panels of marks over two axes, with values in SI, which any surface can draw.
+"""Pictures as specifications: panels of marks over two axes with values in SI, independent of the drawing library.
 
-A picture says what is drawn, not how: :mod:`clubface.present.drawing` draws it for paper and screen, the browser with
-its own means. The numbers behind every mark can be saved as a table.
+A picture describes what is drawn, not how: :mod:`clubface.present.drawing` draws it for paper and screen, the browser
+with its own code. The numbers behind every mark can be saved as a table.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ MarkKind = Literal[
     "line", "points", "bars", "intervals", "band", "area", "stack", "steps", "contour", "cells", "outline", "rule",
     "slope", "text", "shade",
 ]  # fmt: skip
-"""``line`` and ``points`` have x and y; ``bars`` lie along x at the places y (``x0`` is where they begin).
+"""``line`` and ``points`` have x and y; ``bars`` lie along x at the positions y and start at ``x0``.
 
 ``intervals`` reach from ``x0`` to ``x1`` or from ``y0`` to ``y1`` about their points; ``band`` fills between ``y0``
-and ``y1``; ``stack`` is an area on top of those before; ``steps`` is a histogram, x the edges and y the counts;
+and ``y1``; ``stack`` is an area on top of the previous ones; ``steps`` is a histogram, x the edges and y the counts;
 ``contour`` has ``values`` over a grid; ``cells`` are polygons (x and y of shape [n, corners]) coloured by ``values``;
 ``outline`` is a closed line; ``rule`` is a line across the panel at x or y; ``slope`` a line through (x, y) with the
 slope in ``values``; ``text`` writes ``texts``; ``shade`` fills the panel from ``x0`` to ``x1``.
@@ -33,17 +33,17 @@ class Axis:
     Attributes
     ----------
     quantity
-        What it measures; None of names or plain numbers.
+        The quantity shown; None for names or plain numbers.
     label
-        Its words, the unit is added; those of the quantity unless given.
+        Text of the label, without the unit, which is added. Default: the label of the quantity.
     unit
-        In which it is drawn; the golf unit of the quantity unless given.
+        Unit in which it is drawn. Default: the golf unit of the quantity.
     limits
-        Its ends [SI]; None for one that is chosen.
+        Ends of the axis [SI]; None for an end chosen automatically.
     names
-        Words at the places 0, 1, 2, ... in place of numbers.
+        Words at the positions 0, 1, 2, ... in place of numbers.
     reversed, logarithmic
-        How it runs.
+        Direction and scale of the axis.
     """
 
     quantity: Quantity | None = None
@@ -70,22 +70,22 @@ class Axis:
 
 @dataclass(frozen=True)
 class Mark:
-    """Something drawn in a panel; see :data:`MarkKind` for what each kind needs.
+    """Something drawn in a panel; see :data:`MarkKind` for the data of each kind.
 
     Attributes
     ----------
     label
-        Its name in the legend; marks of the same name share an entry.
+        Entry in the legend; marks with the same label share an entry.
     style
-        The name of a model, whose colour and dash it has, or a number of the palette; -1 is grey, -2 black, -3 white.
+        The name of a model, which sets colour and dash, or a number of the palette; -1 is grey, -2 black, -3 white.
     symbol
-        The shape of points: "o", "s", "+", ...; "" for the small dots of many points.
+        Shape of points: "o", "s", "+", ...; "" for small dots where there are many points.
     dash
-        Number of a dash pattern; that of the style unless given.
+        Number of a dash pattern. Default: the dash of the style.
     hollow, faint
-        How points or areas are filled.
+        Filling of points or areas.
     within
-        Corners, shape [n, 2], of the outline along which a contour is cut.
+        Corners of the outline that clips a contour, shape [n, 2].
     """
 
     kind: MarkKind
@@ -109,20 +109,20 @@ class Mark:
 
 @dataclass(frozen=True)
 class Panel:
-    """A plot of a picture.
+    """One plot of a picture.
 
     Attributes
     ----------
     equal
-        Whether both axes have one scale.
+        Whether both axes have the same scale.
     aspect
-        Scale of the y axis over that of the x axis; free unless given.
+        Scale of the y axis over that of the x axis. Default: free.
     values
-        What contours and cells are coloured by: an axis for the bar of colours; ``diverging`` from zero.
+        Axis of the colour bar of contours and cells; ``diverging`` for colours that diverge from zero.
     legend
-        Whether it has a legend of its own; else its marks stand in that of the picture.
+        Whether it has a legend of its own; otherwise its marks appear in the legend of the picture.
     tall
-        Whether it reaches down over the empty places below it.
+        Whether it extends down over the empty positions below it.
     """
 
     marks: Sequence[Mark]
@@ -145,21 +145,21 @@ class Picture:
     Attributes
     ----------
     name
-        Of its file.
+        Name of its file.
     caption
-        What it shows, in words.
+        Description of what it shows.
     rows
-        Its panels, row by row; None leaves a place empty. The panels of a shorter row are wider.
+        Panels, row by row; None leaves a position empty. The panels of a shorter row are wider.
     title
-        Above it.
+        Title above the panels.
     heights, widths
-        Sizes of rows and columns in relation to each other.
+        Relative sizes of rows and columns.
     height
-        Inches; chosen by the number of rows unless given.
+        Height [inches]. Default: by the number of rows.
     share_x, share_y
-        Whether the panels of a column, or of a row, share an axis.
+        Whether the panels of a column share the x axis, or those of a row the y axis.
     legend
-        Whether a legend of all labels stands above.
+        Whether a legend of all labels is drawn above the panels.
     """
 
     name: str

@@ -1,6 +1,6 @@
-"""The result of a computation in the form that every output reads, and its provenance.
+"""The result of a computation in the form that all outputs use, and its provenance.
 
-The surfaces are terminal, JSON, CSV, report, notebook and browser.
+The outputs are terminal, JSON, CSV, report, notebook and browser.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SCHEMA = "clubface-result-1"
 
 
 class FileUsed(NamedTuple):
-    """A file that a result depends on: its name, without the folder where that is unambiguous, and its fingerprint."""
+    """A file that a result depends on: its fingerprint, and its name, without the folder if that is unambiguous."""
 
     name: str
     bytes: int
@@ -53,22 +53,22 @@ class Computation(NamedTuple):
 
 @dataclass(frozen=True)
 class Provenance:
-    """What a result was computed from.
+    """The inputs, equipment, models and sources that a result was computed from.
 
     Attributes
     ----------
     inputs
-        Values that went in, as people write them, by name.
+        Input values in words, by name.
     computations
         Clubs, balls, models and parameter sets.
     sources
-        Where values come from, a work or file each.
+        Sources of the values, one per work or file.
     caveats
-        What the sources say against relying on them.
+        Caveats stated by the sources.
     files
-        The files that were read, those that came with the package left out.
+        The files that were read, except those of the package.
     descriptions
-        Texts of files with which the result can be computed again, by name.
+        Texts of the input files needed to compute the result again, by name.
     """
 
     inputs: Mapping[str, str] = field(default_factory=dict)
@@ -94,7 +94,7 @@ class Provenance:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """Return it as JSON has it."""
+        """Return the provenance as JSON types."""
         return {
             "versions": dict(self.versions),
             "inputs": dict(self.inputs),
@@ -106,7 +106,7 @@ class Provenance:
 
 
 MOST_BYTES = 2**17
-"""Larger descriptions are named by their fingerprint alone, as tables are."""
+"""Maximum size of a stored description [bytes]; larger ones, like tables, are stored as a fingerprint only."""
 
 
 def used_files(read: Iterable[InputFile] | None = None) -> tuple[FileUsed, ...]:
@@ -138,32 +138,32 @@ class Result:
     Attributes
     ----------
     kind
-        What it is: "shot", "face-map"; the same kind has the same tables.
+        Kind of result, such as "shot" or "face-map"; results of a kind have the same tables.
     title
-        In words.
+        Title in words.
     tables
-        The numbers; the first is the main one.
+        Tables of numbers; the first is the main table.
     values
-        Single values: columns of one row, by name.
+        Single values as columns of one row, by name.
     assumptions
-        What was assumed where nothing was given; it stands first in every rendering, and in the titles of pictures.
+        Assumptions about inputs that were not given; shown first in every output, and in the titles of pictures.
     lead
-        What to do, in sentences that every surface shows first; files have them before the summary.
+        Advice, in sentences that every output shows first; files have them before the summary.
     summary
-        What came out, in sentences for a reader who knows no options.
+        Summary in sentences for a reader who does not know the options.
     notes
-        What is to be known about the tables.
+        Notes on the tables.
     hints
-        What else the command can do; only the terminal shows them.
+        Further options of the command; shown in the terminal only.
     provenance
-        What it was computed from.
+        Provenance of the result.
     parts
-        Results of which it consists, such as the clubs of a player; reports and JSON have them.
+        Results that it consists of, such as the clubs of a player; included in reports and JSON.
     placement
-        Where a report has it as a part: where it stands, on a new page when printed, or in the closed section of
-        technical details at the end.
+        Position as a part of a report: in place, on a new page when printed, or in the collapsed section of technical
+        details at the end.
     draw
-        Makes its pictures, which take time; None if there are none.
+        Function that makes the pictures, which takes time; None if there are none.
     """
 
     kind: str
@@ -206,7 +206,7 @@ class Result:
         return replace(self, **fields)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return it as JSON has it: full digits, metric units, each with its name.
+        """Return the result as JSON types: full digits, metric units, each with its name.
 
         The layout is that of the schema ``clubface-result-1``.
         """
@@ -223,15 +223,15 @@ class Result:
         } | ({"parts": [each.to_dict() for each in self.parts]} if self.parts else {})
 
     def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
-        """Return a table (the main one unless named) with SI values; ``attrs`` has units and provenance."""
+        """Return a table (default: the main one) with SI values; ``attrs`` has units and provenance."""
         frame = self.table(name).to_pandas()
         frame.attrs["provenance"] = self.provenance.to_dict()
         return frame
 
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
-        """Return a table (the main one unless named) as a dataset over its rows, SI.
+        """Return a table (default: the main one) as a dataset over its rows, SI.
 
-        Variables carry their units, and the dataset its provenance, as JSON.
+        Variables carry their units, the dataset its provenance as JSON.
         """
         import xarray
 
@@ -245,7 +245,7 @@ class Result:
     def write(self, folder: str | os.PathLike[str], tables: Mapping[str, Table] | None = None) -> list[Path]:
         """Write pages (HTML and Markdown), JSON, tables and pictures into a folder; return the files.
 
-        ``tables`` are further ones, or replacements, by the name of their file.
+        ``tables`` are additional tables, or replacements, by file name.
         """
         from clubface.present.report import write_folder
 
@@ -263,14 +263,14 @@ class Result:
 
 
 class Presentable:
-    """Adds the outputs of :class:`Result` that do not depend on its tables to what a computation returns."""
+    """Mixin that adds the outputs of :class:`Result` that do not depend on its tables."""
 
     def to_result(self) -> Result:
-        """Return it as a result."""
+        """Return a :class:`Result`."""
         raise NotImplementedError
 
     def to_dict(self) -> Mapping[str, Any]:
-        """Return it as JSON has it; see :meth:`Result.to_dict`."""
+        """Return the result as JSON types; see :meth:`Result.to_dict`."""
         return self.to_result().to_dict()
 
     def _repr_html_(self) -> str:
@@ -278,14 +278,14 @@ class Presentable:
 
 
 class Described(Presentable):
-    """Adds all outputs of :class:`Result` to what a computation returns; classes with own tables override some."""
+    """Mixin that adds all outputs of :class:`Result`; classes with tables of their own override some."""
 
     def to_pandas(self, name: str | None = None) -> pandas.DataFrame:
-        """Return a table of the result, the main one unless named; see :meth:`Result.to_pandas`."""
+        """Return a table of the result (default: the main one); see :meth:`Result.to_pandas`."""
         return self.to_result().to_pandas(name)
 
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
-        """Return a table of the result, the main one unless named; see :meth:`Result.to_xarray`."""
+        """Return a table of the result (default: the main one); see :meth:`Result.to_xarray`."""
         return self.to_result().to_xarray(name)
 
 

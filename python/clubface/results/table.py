@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 Layout = Literal["rows", "list", "transposed", "pivot"]
-"""How a table is printed: a line a row; its one row as a list; a line a column; or its third column over the first
-two, whose values become the headings of lines and columns."""
+"""Layout of a printed table: one line per row; its only row as a list; one line per column; or a pivot of its third
+column, with the values of the first two as headings of lines and columns."""
 FLAT = "flat"
-"""How an infinite radius of a face is written."""
+"""Text for an infinite radius of a face."""
 _SUFFIXES = {"m/s": "mps", "deg/s": "degps", "rad/s": "radps", "km/h": "kmh", "%": "pct"}
 
 
@@ -30,24 +30,24 @@ class Column:
     Attributes
     ----------
     name
-        Its name in files, without the unit.
+        Name in files, without the unit.
     values
-        Numbers in SI, whole numbers, truth values, texts, or None where there is none; one a row.
+        One value per row: number in SI, whole number, truth value, text, or None if missing.
     quantity
-        What the numbers are of; None of texts and counts. A sequence has one for each row.
+        Quantity of the numbers; None for texts and counts. A sequence has one per row.
     label
-        Its heading; that of the quantity unless given.
+        Heading. Default: the label of the quantity.
     unit, digits
-        In which it is printed; those of the quantity unless given. Negative ``digits`` are significant ones; a
-        sequence has those of each row.
+        Unit and decimal places when printed. Default: those of the quantity. Negative ``digits`` are significant
+        digits; a sequence has one per row.
     difference
-        Whether the numbers are differences, to which no offset of a unit belongs.
+        Whether the numbers are differences, to which the offset of a unit does not apply.
     signed
-        Whether they are printed with their sign; differences are unless this is False.
+        Whether numbers are printed with their sign. Default: for differences.
     in_files
-        Whether files and JSON have it; one that is only printed repeats in words what others say in numbers.
+        Whether files and JSON include it; printed-only columns repeat in words what others give in numbers.
     printed
-        Whether it is printed; else it is only in files and JSON.
+        Whether it is printed; otherwise it is only in files and JSON.
     """
 
     name: str
@@ -144,19 +144,19 @@ class Table:
     Attributes
     ----------
     name
-        Its name in JSON and of its CSV file.
+        Name in JSON and of its CSV file.
     columns
-        At least one; texts that name the rows come first.
+        At least one column; texts that name the rows come first.
     title
         In words.
     layout
-        How it is printed.
+        Layout when printed.
     summary
-        Whether the last row sums up the others and is set apart.
+        Whether the last row summarises the others and is set apart.
     printed
-        Whether the terminal shows it; else files, JSON and reports alone have it.
+        Whether the terminal shows it; otherwise only files, JSON and reports have it.
     shown_rows
-        Which rows people see; None for all. Files and JSON have all.
+        Rows shown to people; None for all. Files and JSON have all rows.
     """
 
     name: str
@@ -244,9 +244,9 @@ def table(name: str, *columns: Column | None, **options: Any) -> Table:
 
 
 def column(name: str, values: Any, like: str | Quantity | None = None, **options: Any) -> Column:
-    """Return a column of numbers in SI, of the quantity ``like`` unless ``name`` is that of one.
+    """Return a column of numbers in SI. Its quantity is the one called ``name`` if there is one, else ``like``.
 
-    ``like`` may be the name of a quantity or a unit of SI, such as "m".
+    ``like`` may be the name of a quantity or an SI unit, such as "m".
     """
     if like is None or isinstance(like, str):
         quantity = quantity_named(name) if like is None else _like(name, like)

@@ -1,6 +1,6 @@
 """The catalogue: the sentence of every note, by its code.
 
-One file a subject; :mod:`clubface.results.notes` explains the placeholders.
+One file per subject; :mod:`clubface.results.notes` explains the placeholders.
 """
 
 from clubface.results.catalogue import design, impacts, inference, shots
