@@ -108,7 +108,7 @@ def test_the_inertia_of_a_mechanism_is_taken_less_that_of_the_head():
 
 def test_a_mechanism_that_is_lighter_than_the_head_is_refused():
     driver = clubface.club("driver")
-    with pytest.raises(InputError, match=r"less than the free head by 0.102 kg"):
+    with pytest.raises(InputError, match=r"0.102 kg"):
         driver.on_mechanism(0.5 * np.array(driver.spatial_inertia))
     with pytest.raises(InputError, match="6 rows"):
         driver.on_mechanism(np.eye(3))

@@ -263,7 +263,7 @@ def test_a_set_says_in_its_file_which_face_it_includes(write):
 def test_where_a_file_holds_several_sets_one_is_chosen(write):
     path = write(OWN + OWN.partition("\n\n")[2].replace('"driver"', '"7-iron"').replace("82 %", "80 %"), "own.toml")
     assert ParameterSet.from_toml(path, club="7-iron").values["cor"] == 0.8
-    with pytest.raises(FileError, match="more than one set fits; the file holds: slip for driver; slip for 7-iron"):
+    with pytest.raises(FileError, match=r"more than one set fits; .*: slip for driver; slip for 7-iron"):
         ParameterSet.from_toml(path)
     with pytest.raises(FileError, match="no set fits"):
         ParameterSet.from_toml(path, model="area")

@@ -81,7 +81,7 @@ def test_a_spring_holds_the_hands_between_pinned_and_clamped():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"position": ["0 mm", "500 mm", "400 mm", "800 mm", "900 mm"]}, "farther"),
+        ({"position": ["0 mm", "500 mm", "400 mm", "800 mm", "900 mm"]}, "increasing"),
         ({"position": ["10 mm", "500 mm", "600 mm", "800 mm", "900 mm"]}, "0 mm at the tip"),
         ({"diameter": ["8 mm", "9 mm"]}, "one for each station"),
         ({"mass_per_length": [0.06, 0.06, -0.01, 0.06, 0.06]}, "above 0"),

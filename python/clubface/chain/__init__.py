@@ -1,7 +1,8 @@
-"""One differentiable chain from a golfer's torques to where the ball lands, in JAX.
+"""A differentiable chain in JAX from a golfer's torques to where the ball lands.
 
-A golfer of driven segments swings a club on a flexible shaft; the head meets the ball with its shaft attached; the ball
-flies. Every value has derivatives by the timing and size of torques and by the stiffness of the shaft.
+A golfer of driven segments swings a club on a flexible shaft, the head strikes the ball with the shaft attached, and
+the ball flies. Every value has derivatives with respect to the timing and size of torques and the stiffness of the
+shaft.
 """
 
 from clubface.chain.golfer import GolferBody, Segment

@@ -1,12 +1,12 @@
-"""A shaft between hands and head, reduced to a few shapes of its curvature.
+"""A shaft between hands and head, reduced to a few shape functions of its curvature, and its effect at impact.
 
-The shaft is cut into links, joined in the middle of each section by rotations that are linear in a few coordinates: the
-change of direction over the section in a few shapes of the clamped beam with its head. Rotations of links
-follow one another, whatever their size, so that stretch, shortening by bending and stiffening by the pull of the head
-need no terms of their own (assumed strains: F. Renda and others, IEEE Robotics and Automation Letters 5, 4006-4013,
-2020). The elastic energy is linear in the stiffness of each station.
+The shaft is divided into links, joined in the middle of each section by rotations that are linear in a few coordinates:
+the change of direction over the section in a few shapes of the clamped beam with its head. The rotations of the links
+are composed without approximation, so stretch, shortening by bending and stiffening by the pull of the head need no
+extra terms (assumed strains: F. Renda and others, IEEE Robotics and Automation Letters 5, 4006-4013, 2020). The elastic
+energy is linear in the stiffness at each station.
 
-At impact the shaft adds to the inertia of the head what follows from its stiffness, with exact derivatives.
+At impact the shaft's stiffness adds to the inertia of the head, with exact derivatives.
 """
 
 from __future__ import annotations
@@ -30,21 +30,21 @@ __all__ = ["FlexibleShaft", "attached_inputs", "flexible_shaft", "links_of"]
 
 STATIC_SHAPES = 5
 POINTS = 50
-"""Points by which the mass of a link is integrated."""
+"""Number of integration points for the mass of a link."""
 
 
 class FlexibleShaft(NamedTuple):
-    """Links from the hands to the tip, in the reference pose, and how they bend.
+    """Bending and twisting of the links from the hands to the tip, about the reference pose.
 
     Attributes
     ----------
     turn
-        Rotation of each link against the one before, by coordinate, in the axes of the reference pose [rad],
-        shape (modes, links, 3).
+        Rotation of each link relative to the one before, per unit of each coordinate, in the axes of the reference pose
+        [rad], shape (modes, links, 3).
     bending, torsion
-        Elastic stiffness of the coordinates by the stiffness EI and GJ of each station, shape (stations, modes, modes).
+        Stiffness matrices of the coordinates per unit of EI and GJ at each station, shape (stations, modes, modes).
     frequency
-        Natural angular frequencies of the modes with the hands held still [rad/s], shape (modes,).
+        Natural angular frequencies of the modes with the hands held fixed [rad/s], shape (modes,).
     """
 
     turn: Any
@@ -54,17 +54,17 @@ class FlexibleShaft(NamedTuple):
 
 
 class Links(NamedTuple):
-    """The links of a shaft: rigid pieces between places at which it bends.
+    """Links of a shaft: rigid pieces between the joints at which it bends.
 
     Attributes
     ----------
     joint
-        Distance of the places from the hands [m], shape (links,); the first piece, before them, is not a link.
+        Distance of the joints from the hands [m], shape (links,); the piece before the first joint is not a link.
     mass, cg, inertia
-        Of each link [kg]; distance of its CG from the hands [m]; about its CG, across it and along it [kg m2], shape
-        (links, 2).
+        Mass of each link [kg]; distance of its CG from the hands [m]; inertia about its CG, across and along the shaft
+        [kg m2], shape (links, 2).
     grip_mass, grip_cg, grip_inertia
-        The same of all that is held: the piece below the first place, the shaft above the hands, and the grip.
+        The same for everything that is held: the piece before the first joint, the shaft above the hands, the grip.
     """
 
     joint: Any
@@ -77,7 +77,7 @@ class Links(NamedTuple):
 
 
 def held_length(shaft: Shaft, hands: float) -> float:
-    """Return the length of a shaft from its tip to the middle of the hands, which hold it ``hands`` below the butt."""
+    """Return the length from the tip to the middle of the hands, which are ``hands`` below the butt [m]."""
     length = shaft.length - hands
     if not 0.0 < length <= shaft.length:
         raise InputError("hands", hands, f"from 0 to less than {shaft.length:g} m, the length of the shaft")
@@ -85,7 +85,7 @@ def held_length(shaft: Shaft, hands: float) -> float:
 
 
 def links_of(shaft: Shaft, hands: float, count: int) -> Links:
-    """Return the rigid pieces of a shaft that bends in the middle of each of ``count`` equal sections."""
+    """Return the rigid pieces of a shaft with joints in the middle of ``count`` equal sections."""
     length = held_length(shaft, hands)
     joint = (np.arange(count) + 0.5) * length / count
     edges = np.append(joint, length)
@@ -100,7 +100,7 @@ def links_of(shaft: Shaft, hands: float, count: int) -> Links:
 
 
 def _piece(shaft: Shaft, length: float, low: float, high: float) -> tuple[float, float, Any]:
-    """Return mass, CG and inertia across and along the shaft of what lies between two distances from the hands."""
+    """Return mass, CG and inertia, across and along the shaft, of the part between two distances from the hands."""
     points, weights = np.polynomial.legendre.leggauss(POINTS)
     at = low + 0.5 * (high - low) * (points + 1.0)
     from_tip = length - at
@@ -112,7 +112,7 @@ def _piece(shaft: Shaft, length: float, low: float, high: float) -> tuple[float,
 
 
 def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:
-    """Return the beam from the tip to the hands, clamped there, with some properties by station in their place."""
+    """Return the beam from the tip to the hands, where it is clamped; ``properties`` replace values at the stations."""
     length = held_length(shaft, hands)
     whole = replace(shaft.beam(), **properties)
     stations = np.append(whole.position[whole.position < length], length)
@@ -124,7 +124,7 @@ def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:
 
 
 def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: int) -> FlexibleShaft:
-    """Return the shaft of a club reduced to a few shapes, clamped in the hands."""
+    """Reduce the shaft of a club, clamped at the hands, to a few shapes."""
     inertia = np.array(spatial_inertia(club.mass, club.inertia))
     tip, axis = np.array(club.cg) + np.array(shaft.hosel), np.array(shaft.axis)
     beam = _held_beam(shaft, hands)
@@ -133,7 +133,7 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
     squares, chosen = _shapes(elastic, mass, tip, turn, modes)
     length = held_length(shaft, hands)
     nodes = beam.nodes(60)
-    # Rotations of the head, then of the nodes along the beam, and none in the hands; all in the axes of the head.
+    # Rotations of the head, of the nodes along the beam, and none at the hands, all in the head's axes.
     rotations = np.concatenate([
         chosen[None, 3:6],
         np.einsum("ji,njm->nim", turn, chosen[6:].reshape(len(nodes) - 2, 6, modes)[:, 3:]),
@@ -163,10 +163,10 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
 
 
 def _shapes(elastic: Any, mass: Any, tip: Any, turn: Any, count: int) -> tuple[Any, Any]:
-    """Return squares of angular frequencies, ascending, and shapes of unit modal mass, which combine two kinds.
+    """Return squared angular frequencies, ascending, and shapes of unit modal mass, combined from two kinds.
 
-    First come the static shapes by forces across the tip and moments on it: with these alone the shaft bends and twists
-    exactly as the head pulls at it. Natural modes follow, for what vibrates in between.
+    The first are static shapes for forces across the tip and moments at it, which alone reproduce exactly how the
+    shaft bends and twists under the pull of the head. Natural modes are added for vibrations.
     """
     across = [np.concatenate([each, np.cross(tip, each)]) for each in turn[1:]]
     moments = [np.concatenate([np.zeros(3), each]) for each in turn]
@@ -184,12 +184,12 @@ def _of_unit_mass(shapes: Any, mass: Any) -> Any:
 
 
 def attached_inputs(club: Club, shaft: Shaft) -> Callable[[Any, Any], dict[str, Any]]:
-    """Return the inputs of an impact that a shaft adds, as a function of its stiffness.
+    """Return a function from a shaft's stiffness to the inputs that the shaft adds to an impact.
 
-    The function takes bending and torsional stiffness of each station [N m2] and returns what
-    :meth:`clubface.Shaft.added_inertia` gives for a shaft with these. If they are arrays of JAX, it has first
-    derivatives: those of a function of a symmetric matrix, by divided differences of its eigenvalues (Yu. L. Daleckii
-    and S. G. Krein, 1965), which also holds where eigenvalues coincide, as those of the free motions do.
+    The function takes bending and torsional stiffness at each station [N m2] and returns the result of
+    :meth:`clubface.Shaft.added_inertia` for a shaft with these values. For JAX arrays it has first derivatives: those
+    of a function of a symmetric matrix, by divided differences of its eigenvalues (Yu. L. Daleckii and S. G. Krein,
+    1965), which also hold for coincident eigenvalues, such as those of the free motions.
     """
     names = tuple(added_inputs(((1.0,) * 6,) * 6))
     size = len(shaft.position)
@@ -226,15 +226,15 @@ def attached_inputs(club: Club, shaft: Shaft) -> Callable[[Any, Any], dict[str, 
 
 
 def _stiffened(shaft: Shaft, stiffness: Any) -> Shaft:
-    """Return a shaft with another stiffness; EA follows EI unless it was given."""
+    """Return the shaft with other stiffness; EA follows EI unless it was given."""
     bending, torsional = np.split(stiffness, 2)
     return shaft.replace(bending_stiffness=bending.tolist(), torsional_stiffness=torsional.tolist())
 
 
 def _share(squares: Any) -> tuple[Any, Any]:
-    """Return the share of a mode in the motion, as :meth:`clubface.simulation.beam.Modes.mobility`, and its slope.
+    """Return a mode's share of the motion, as in :meth:`clubface.simulation.beam.Modes.mobility`, and its derivative.
 
-    Both are functions of the square of the angular frequency, s = cos(pi r / 2)^2 / (1 - r^2) with r = w T / pi.
+    Both are functions of the squared angular frequency: s = cos(pi r / 2)^2 / (1 - r^2) with r = w T / pi.
     """
     scale = (CONTACT_TIME / np.pi) ** 2
     ratio = np.sqrt(scale * squares)
@@ -246,7 +246,7 @@ def _share(squares: Any) -> tuple[Any, Any]:
 
 
 def _derivatives(club: Club, shaft: Shaft) -> Any:
-    """Return derivatives of the added inertia by bending, then torsional stiffness of each station, (2 n, 6, 6)."""
+    """Return derivatives of the added inertia by bending, then torsional stiffness at each station, (2 n, 6, 6)."""
     head = np.array(spatial_inertia(club.mass, club.inertia))
     tip, axis = np.array(club.cg) + np.array(shaft.hosel), np.array(shaft.axis)
     beam = shaft.beam()

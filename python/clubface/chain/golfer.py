@@ -1,4 +1,4 @@
-"""Golfers as chains of driven segments: bodies, hinges, and the torque generators that turn them."""
+"""Golfers as chains of driven segments: bodies, hinges, and torque generators."""
 
 from __future__ import annotations
 
@@ -15,40 +15,40 @@ from clubface.errors import InputError, Wording
 __all__ = ["GolferBody", "Segment"]
 
 BY_JOINT = ("start", "onset", "rise_time", "maximum_torque", "maximum_speed")
-"""The values of a golfer that each joint has its own of."""
+"""Values that a golfer has for each joint."""
 
-# Men, P. de Leva, Journal of Biomechanics 29, 1223-1230, 1996: part of the mass of the body; length of a body 1.741 m
-# tall [m]; CG from the upper end and radii of gyration, across and along, as parts of the length.
+# Men, P. de Leva, Journal of Biomechanics 29, 1223-1230, 1996: fraction of body mass; length for a height of 1.741 m
+# [m]; distance of the CG from the upper end and radii of gyration across and along, relative to the length.
 DE_LEVA_HEIGHT = 1.741
 UPPER_ARM = (0.0271, 0.2817, 0.5772, 0.285, 0.158)
 FOREARM = (0.0162, 0.2689, 0.4574, 0.276, 0.121)
 HAND = (0.0061, 0.0862, 0.7900, 0.628, 0.401)
 TRUNK = (0.4346, 0.5319, 0.4486, 0.372, 0.191)
 SHOULDER = 0.129
-"""From the spine to the shoulder, as a part of the height (R. Drillis and R. Contini, 1966)."""
+"""Distance from spine to shoulder, relative to height (R. Drillis and R. Contini, 1966)."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Segment:
-    """A rigid body and the hinge by which it hangs on the one before, in the reference pose.
+    """A rigid body and the hinge that connects it to the previous one, in the reference pose.
 
-    In the reference pose the club stands at its static loft and lie with a square face. Vectors are in the axes of the
-    world (x to the target, y up, z to the right of it) and start in the middle of the hands.
+    In the reference pose the club is at its static loft and lie with a square face. Vectors are in world axes (x to the
+    target, y up, z to the right) with the origin in the middle of the hands.
 
     Attributes
     ----------
     name
-        For tables and other programs.
+        Name for tables and other programs.
     joint
-        A point of the axis of the hinge [m], shape (3,).
+        Point on the hinge axis [m], shape (3,).
     axis
-        Direction of the axis, about which a positive angle swings the club towards the target, shape (3,).
+        Direction of the hinge axis, shape (3,); positive angles swing the club towards the target.
     mass
-        [kg]; that of the last one is without the club.
+        Mass [kg]; the last segment's excludes the club.
     cg
-        Of the body [m], shape (3,).
+        CG of the body [m], shape (3,).
     inertia
-        About its CG [kg m2], shape (3, 3).
+        Inertia about the CG [kg m2], shape (3, 3).
     """
 
     name: str
@@ -76,22 +76,22 @@ class Segment:
 class GolferBody:
     """A chain of segments from the ground to the hands, each driven by a torque generator at its hinge.
 
-    Each list has a value for every joint, the first being the one that stands on the ground.
+    Each list has one value per joint, starting at the ground.
 
     Attributes
     ----------
     segments
-        From the ground to the hands; the last hinge carries the club.
+        Segments from the ground to the hands; the last hinge carries the club.
     start
-        Angles at the top of the backswing, from the reference pose [rad]; a joint cannot go back behind its own.
+        Joint angles at the top of the backswing, from the reference pose [rad]; joints cannot move back beyond them.
     onset
-        When each generator starts to act, since the start from rest [s].
+        Time at which each generator starts, after the start from rest [s].
     rise_time
-        Time constant with which its activation rises [s].
+        Time constant of the rise of activation [s].
     maximum_torque
-        Of full activation without motion [N m].
+        Torque at full activation without motion [N m].
     maximum_speed
-        Of the joint, at which no torque is left [rad/s].
+        Joint speed at which the torque vanishes [rad/s].
     """
 
     segments: tuple[Segment, ...]
@@ -106,13 +106,13 @@ class GolferBody:
         for name in BY_JOINT:
             values = tuple(float(each) for each in getattr(self, name))
             if len(values) != count:
-                raise InputError(name, f"{len(values)} values", f"{count}, one for each of the joints")
+                raise InputError(name, f"{len(values)} values", f"{count}, one for each joint")
             if name in ("rise_time", "maximum_speed") and min(values) <= 0.0:
                 raise InputError(name, min(values), "more than 0")
             object.__setattr__(self, name, values)
 
     def replace(self, **changes: Any) -> GolferBody:
-        """Return it with fields changed."""
+        """Return a copy with fields changed."""
         known = [each.name for each in fields(self)]
         for name in changes:
             if name not in known:
@@ -132,20 +132,20 @@ class GolferBody:
         maximum_torque: tuple[float, ...] = (200.0, 130.0, 35.0),
         maximum_speed: tuple[float, ...] = (30.0, 30.0, 60.0),
     ) -> GolferBody:
-        """Return a golfer of torso, lead arm and club, who swings in an inclined plane.
+        """Return a golfer made of torso, lead arm and club, swinging in an inclined plane.
 
-        The three hinges are those of E. J. Sprigings and R. J. Neal (Journal of Applied Biomechanics 16, 356-366,
-        2000). Bodies are those of a man of the given size by P. de Leva (Journal of Biomechanics 29, 1223-1230, 1996),
-        without the trail arm. The torques are no measurements: they make a driver swing of about 41 m/s.
+        The three hinges follow E. J. Sprigings and R. J. Neal (Journal of Applied Biomechanics 16, 356-366, 2000). The
+        bodies are those of a man of the given size by P. de Leva (Journal of Biomechanics 29, 1223-1230, 1996), without
+        the trail arm. The torques are not measured; they were chosen to give a driver swing of about 41 m/s.
 
         Parameters
         ----------
         mass, height
-            Of the golfer [kg, m], or text with units.
+            Body mass and height [kg, m], or text with units.
         lie
-            Angle between ground and plane of the swing [rad], that of the club at address.
+            Angle between ground and swing plane [rad], equal to the club's lie at address.
         start
-            Of torso, arm and wrist [rad], or text with units.
+            Angles of torso, arm and wrist at the top [rad], or text with units.
         onset, rise_time, maximum_torque, maximum_speed
             As for :class:`GolferBody`.
         """
@@ -154,7 +154,7 @@ class GolferBody:
         up = np.array([0.0, math.sin(lie), -math.cos(lie)])  # along shaft and arm, from the hands to the shoulder
         target, normal = np.array([1.0, 0.0, 0.0]), np.array([0.0, math.cos(lie), math.sin(lie)])
         scale = height / DE_LEVA_HEIGHT
-        # The middle of the grip lies at the CG of the hand, and the hand turns with the club about the wrist.
+        # The middle of the grip is at the hand's CG, and the hand rotates with the club about the wrist.
         wrist = HAND[2] * HAND[1] * scale
         parts, length = [], wrist
         for part, size, cg, across, along in (FOREARM, UPPER_ARM):
@@ -172,7 +172,7 @@ class GolferBody:
         shoulder = length * up
         hub = shoulder - SHOULDER * height * target
         trunk, size = TRUNK[0] * mass, TRUNK[1] * scale
-        # The trunk turns about its own long axis, which stands for that of the hinge.
+        # The trunk rotates about its own long axis, which is identified with the hinge axis.
         spine = np.outer(normal, normal)
         trunk_inertia = trunk * size**2 * (TRUNK[4] ** 2 * spine + TRUNK[3] ** 2 * (np.eye(3) - spine))
         return cls(

@@ -1,6 +1,6 @@
-"""Equations of motion of a chain of hinged segments with a club on a flexible shaft, in JAX.
+"""Equations of motion, in JAX, of a chain of hinged segments with a club on a flexible shaft.
 
-Coordinates are the angles of the hinges and those of the shaft. Velocities of all bodies are linear in their rates;
+The coordinates are the hinge angles and those of the shaft. Velocities of all bodies are linear in their rates;
 accelerations follow by differentiation, and Kane's equations (T. R. Kane and D. A. Levinson, Dynamics: Theory and
 Applications, 1985) sum forces and inertia over the bodies. Nothing is linearised.
 """
@@ -25,38 +25,38 @@ __all__ = [
 
 GRAVITY = 9.81
 ECCENTRIC = 1.5
-"""Torque of a generator that is forced back, at most, as a part of that without motion (A. J. van Soest and M. F.
+"""Maximum torque of a generator driven backwards, relative to its torque without motion (A. J. van Soest and M. F.
 Bobbert, Biological Cybernetics 69, 195-204, 1993)."""
 CURVATURE = 3.0
-"""Of the relation between torque and speed (Sprigings and Neal, 2000)."""
+"""Curvature of the torque-speed relation (Sprigings and Neal, 2000)."""
 ONSET_SHARPNESS = 4.0
-"""Part of the rise time, as its inverse, over which a generator starts: sharp enough for muscles, and smooth."""
+"""Rise time over the duration of a generator's onset: sharp enough for muscles, yet smooth."""
 STOP_STIFFNESS, STOP_DAMPING, STOP_WIDTH = 800.0, 4.0, 0.01
-"""Of a joint behind its start [N m/rad, N m s/rad], and the angle over which both begin [rad]."""
+"""Stiffness and damping of a joint's stop at its start angle [N m/rad, N m s/rad], and the width of its onset [rad]."""
 
 
 class Mechanism(NamedTuple):
-    """A chain of rigid bodies from the ground to the head, each after the hinge or the bend by which it moves.
+    """A chain of rigid bodies from the ground to the head, each following the hinge or bend that moves it.
 
-    Vectors are in the axes of the world in the reference pose, with the middle of the hands as the origin. The piece of
-    shaft that the hands hold is the body of the last hinge, the head and the last link of the shaft are one.
+    Vectors are in world axes in the reference pose, with the origin in the middle of the hands. The held piece of shaft
+    belongs to the body of the last hinge, and the head to the last link of the shaft.
 
     Attributes
     ----------
     names
-        Of the bodies.
+        Names of the bodies.
     axis
-        Of the hinges, shape (joints, 3).
+        Axes of the hinges, shape (joints, 3).
     turn
-        Rotation at each bend by each coordinate of the shaft [rad], shape (links, 3, modes).
+        Rotation at each bend per unit of each shaft coordinate [rad], shape (links, 3, modes).
     joint
-        Places of hinges and bends [m], shape (bodies, 3).
+        Positions of hinges and bends [m], shape (bodies, 3).
     mass, cg, inertia
-        Of the bodies [kg], shape (bodies,); [m], shape (bodies, 3); about the CG [kg m2], shape (bodies, 3, 3).
+        Masses [kg], shape (bodies,); CGs [m], shape (bodies, 3); inertias about the CG [kg m2], shape (bodies, 3, 3).
     head
         CG of the head alone [m], shape (3,).
     damping
-        The elastic forces of the shaft act on the rates of its coordinates times this [s].
+        Time constant of shaft damping [s]: elastic forces also act on this multiple of the rates.
     """
 
     names: tuple[str, ...]
@@ -71,19 +71,19 @@ class Mechanism(NamedTuple):
 
     @property
     def joints(self) -> int:
-        """Number of the hinges."""
+        """Number of hinges."""
         return len(self.axis)
 
     @property
     def size(self) -> int:
-        """Number of the coordinates."""
+        """Number of coordinates."""
         return self.joints + self.turn.shape[-1]
 
 
 def mechanism_of(
     golfer: GolferBody, club: Club, shaft: Shaft, flexible: FlexibleShaft, hands: float, damping: float
 ) -> Mechanism:
-    """Return the mechanism of a golfer and a club."""
+    """Build the mechanism of a golfer and a club."""
     links = flexible.turn.shape[1]
     pieces = links_of(shaft, hands, links)
     down = -np.array(shaft.axis)
@@ -105,7 +105,7 @@ def mechanism_of(
 
 
 def _together(one: Any, other: Any) -> tuple[float, Any, Any]:
-    """Return mass, CG and inertia of two bodies as one."""
+    """Combine mass, CG and inertia of two bodies."""
     mass = one[0] + other[0]
     cg = (one[0] * one[1] + other[0] * other[1]) / mass
     inertia = np.zeros((3, 3))
@@ -119,7 +119,7 @@ LEVI_CIVITA = np.array([[np.cross(one, other) for other in np.eye(3)] for one in
 
 
 class _Frames(NamedTuple):
-    """Rotations of the bodies, and of each joint what its rates turn by."""
+    """Rotations of the bodies, and for each joint the terms that relate its rates to angular velocity."""
 
     rotation: Any
     cross: Any
@@ -130,7 +130,7 @@ class _Frames(NamedTuple):
 def _frames(mechanism: Mechanism, coordinates: Any) -> _Frames:
     angle = coordinates[: mechanism.joints]
     bend = jnp.einsum("lim,m->li", mechanism.turn, coordinates[mechanism.joints :])
-    # Series of sin(a) / a, (1 - cos(a)) / a^2 and (a - sin(a)) / a^3 reach rounding for the few degrees of a bend.
+    # For bends of a few degrees, series of sin(a) / a, (1 - cos(a)) / a^2 and (a - sin(a)) / a^3 are exact to rounding.
     square = jnp.sum(bend * bend, -1)
     first = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0))
     second = 0.5 - square / 24.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0))
@@ -139,10 +139,10 @@ def _frames(mechanism: Mechanism, coordinates: Any) -> _Frames:
     sine = jnp.concatenate([jnp.sin(angle), first])[:, None, None]
     versine = jnp.concatenate([1.0 - jnp.cos(angle), second])[:, None, None]
     own = jnp.eye(3) + sine * cross + versine * (cross @ cross)
-    # About its own axis a hinge turns by its rate, whatever its angle.
+    # A hinge's angular velocity about its own axis is its rate, whatever its angle.
     none = jnp.zeros_like(angle)
 
-    # A loop instead of a tree of products: half as long to compile.
+    # A loop compiles in half the time of a tree of products.
     def onward(before: Any, each: Any) -> tuple[Any, Any]:
         turned = before @ each
         return turned, turned
@@ -152,26 +152,26 @@ def _frames(mechanism: Mechanism, coordinates: Any) -> _Frames:
 
 
 def _reached(mechanism: Mechanism) -> Any:
-    """Return which bodies (rows) a joint (columns) moves."""
+    """Return which bodies (rows) each joint (columns) moves."""
     return np.tril(np.ones((len(mechanism.mass),) * 2))
 
 
 def pose(mechanism: Mechanism, coordinates: Any) -> tuple[Any, Any]:
-    """Return places of the CGs [m], shape (bodies, 3), and rotations of the bodies, shape (bodies, 3, 3)."""
+    """Return positions of the CGs [m], shape (bodies, 3), and rotations of the bodies, shape (bodies, 3, 3)."""
     rotation = _frames(mechanism, coordinates).rotation
     joint = _joints(mechanism, rotation)
     return joint + jnp.einsum("bij,bj->bi", rotation, mechanism.cg - mechanism.joint), rotation
 
 
 def _joints(mechanism: Mechanism, rotation: Any) -> Any:
-    """Return the places of hinges and bends [m], shape (bodies, 3)."""
+    """Return the positions of hinges and bends [m], shape (bodies, 3)."""
     step = jnp.einsum("bij,bj->bi", rotation[:-1], np.diff(mechanism.joint, axis=0))
     onward = jnp.asarray(_reached(mechanism)[:-1, :-1] @ step)
     return jnp.concatenate([jnp.asarray(mechanism.joint[:1]), mechanism.joint[:1] + onward])
 
 
 class HeadMotion(NamedTuple):
-    """Rotation of the head, place of its CG from where the hands were in the reference pose, and their rates."""
+    """Rotation of the head, position of its CG relative to the hands in the reference pose, and their rates."""
 
     rotation: Any
     position: Any
@@ -180,7 +180,7 @@ class HeadMotion(NamedTuple):
 
 
 def head_motion(mechanism: Mechanism, coordinates: Any, rates: Any) -> HeadMotion:
-    """Return where the head is and how it moves, in the axes of the world [m, m/s, rad/s]."""
+    """Return pose and motion of the head in world axes [m, m/s, rad/s]."""
     rotation = _frames(mechanism, coordinates).rotation
     position = _joints(mechanism, rotation)[-1] + rotation[-1] @ (mechanism.head - mechanism.joint[-1])
     linear, spin = _velocities(mechanism, coordinates, rates)
@@ -191,7 +191,7 @@ def head_motion(mechanism: Mechanism, coordinates: Any, rates: Any) -> HeadMotio
 
 
 def _velocities(mechanism: Mechanism, coordinates: Any, rates: Any) -> tuple[Any, Any]:
-    """Return velocities of the CGs, and angular velocities in the axes of the bodies, shape (bodies, 3)."""
+    """Return velocities of the CGs, and angular velocities in body axes, shape (bodies, 3)."""
     rotation, cross, second, third = _frames(mechanism, coordinates)
     joints = mechanism.joints
     own = jnp.concatenate([
@@ -211,24 +211,24 @@ def _velocities(mechanism: Mechanism, coordinates: Any, rates: Any) -> tuple[Any
 
 
 def _weighted(mechanism: Mechanism, coordinates: Any, rates: Any) -> tuple[Any, Any]:
-    """Return velocities times the roots of the inertias, the sum of whose squares is twice the energy, and spins."""
+    """Return velocities weighted by roots of the inertias, whose sum of squares is twice the energy, and spins."""
     linear, spin = _velocities(mechanism, coordinates, rates)
     root = np.sqrt(mechanism.mass)[:, None]
     return jnp.concatenate([root * linear, jnp.einsum("bij,bi->bj", _roots(mechanism), spin)], -1).ravel(), spin
 
 
 def _roots(mechanism: Mechanism) -> Any:
-    """Return lower triangular roots of the inertias, shape (bodies, 3, 3)."""
+    """Return Cholesky factors of the inertias, shape (bodies, 3, 3)."""
     return np.linalg.cholesky(mechanism.inertia)
 
 
 def _jacobian(mechanism: Mechanism, coordinates: Any) -> Any:
-    """Return weighted velocities by each rate, shape (rates, 6 bodies)."""
+    """Return the weighted velocities per unit of each rate, shape (rates, 6 bodies)."""
     return jax.vmap(lambda each: _weighted(mechanism, coordinates, each)[0])(jnp.eye(mechanism.size))
 
 
 def mass_matrix(mechanism: Mechanism, coordinates: Any) -> Any:
-    """Return the inertia matrix of the coordinates, shape (n, n)."""
+    """Return the mass matrix of the coordinates, shape (n, n)."""
     jacobian = _jacobian(mechanism, coordinates)
     return jacobian @ jacobian.T
 
@@ -251,22 +251,22 @@ def kinetic_energy(mechanism: Mechanism, coordinates: Any, rates: Any) -> Any:
 
 
 def potential_energy(mechanism: Mechanism, coordinates: Any, stiffness: Any) -> Any:
-    """Return the potential energy of gravity, above the reference pose, and of the shaft [J]."""
+    """Return the potential energy of gravity, relative to the reference pose, and of the shaft [J]."""
     place, _ = pose(mechanism, coordinates)
     bending = coordinates[mechanism.joints :]
     return GRAVITY * mechanism.mass @ (place[:, 1] - mechanism.cg[:, 1]) + 0.5 * bending @ stiffness @ bending
 
 
 def activation(time: Any, onset: Any, rise_time: Any) -> Any:
-    """Return how far the generators are active, from 0 to 1: an exponential rise after a smooth start."""
+    """Return the activation of the generators, 0 to 1: an exponential rise after a smooth onset."""
     since = ONSET_SHARPNESS * (time - onset) / rise_time
     return -jnp.expm1(-jax.nn.softplus(since) / ONSET_SHARPNESS)
 
 
 def share_of_speed(speed: Any, maximum: Any) -> Any:
-    """Return the torque at a speed as a part of that without motion, by Hill's relation, smooth at 0.
+    """Return the torque at a speed relative to that without motion, by Hill's relation, smooth at 0.
 
-    Forced back, a generator has up to ``ECCENTRIC``; above its maximum speed it has no torque.
+    A generator driven backwards has up to ``ECCENTRIC``; above its maximum speed it has no torque.
     """
     slope = (1.0 + CURVATURE) / maximum
     forward = jnp.maximum(speed, 0.0)

@@ -1,4 +1,4 @@
-"""The golfer and the club of a swing as a model of MuJoCo, of the same bodies."""
+"""Export of a swing's golfer and club as a MuJoCo model with the same bodies."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from clubface.simulation.beam import beam_axes
 __all__ = ["mjcf"]
 
 ARMATURE = 1e-6
-"""Inertia of each joint of the shaft against its own rate [kg m2]: it keeps the twist of a short link slow enough for
-explicit steps, and as an inertia of the head it counts 1e-4 at most."""
+"""Armature of each shaft joint [kg m2]: slows the torsional vibration of short links enough for explicit steps, and
+changes the inertia of the head by at most 1e-4."""
 
 
 def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping: float, links: int) -> str:
-    """Return a golfer with a club as XML for MuJoCo; ``links`` pieces of shaft bend and twist, none if 0.
+    """Return a golfer with a club as MuJoCo XML; the shaft bends and twists in ``links`` pieces, or is rigid if 0.
 
-    In the pose of all zeros the axes of all bodies are those of the world. The joints of the golfer come first.
+    In the zero pose all bodies have world axes. The golfer's joints come first.
     """
     pieces = links_of(shaft, hands, max(links, 1))
     down = -np.array(shaft.axis)
     onto = np.outer(down, down)
     length = held_length(shaft, hands)
     head = length * down - np.array(shaft.hosel) - np.array(club.cg)
-    # The damping of short links is too stiff for explicit steps; without it those of fourth order are more accurate.
+    # Damping of short links is too stiff for explicit steps; without damping, fourth-order steps are more accurate.
     integrator = "implicitfast" if links and damping else "RK4"
     lines = [
         f"<mujoco model={quoteattr(golfer.segments[-1].name)}>",

@@ -1,4 +1,4 @@
-"""A swing from the top to the ball, the impact of a head on its shaft, and the flight: one differentiable function."""
+"""Swing from the top to the ball, impact with the shaft attached, and flight, as one differentiable function."""
 
 from __future__ import annotations
 
@@ -40,27 +40,26 @@ __all__ = ["Motion", "Shot", "Swing"]
 BY_STATION = ("bending_stiffness", "torsional_stiffness")
 PLACES = ("toe", "high", "ball_forward")
 TOWARDS_BALL = 0.5
-"""The face looks this much to the target, at least, where it may meet the ball: cosine of the angle."""
+"""Minimum cosine of the angle between face normal and target at which the face may meet the ball."""
 REACHED = 1e-9
-"""How far from the ball a swing may end [m], or from square [rad]."""
+"""Tolerance for the position [m] or face angle [rad] at the end of a swing."""
 
 
 class Motion(NamedTuple):
-    """A swing over time; after impact it stays as it was.
+    """History of a swing; constant after impact.
 
     Attributes
     ----------
     time
-        Since the start from rest [s], shape (steps,).
+        Time after the start from rest [s], shape (steps,).
     coordinates, rates
-        Angles of the joints from the reference pose [rad] and coordinates of the shaft, and their rates, shape (steps,
-        n).
+        Joint angles from the reference pose [rad] and shaft coordinates, and their rates, shape (steps, n).
     work
-        Of each generator with its stop [J], shape (steps, joints).
+        Work of each generator with its stop [J], shape (steps, joints).
     heat
-        That the shaft has made [J], shape (steps,).
+        Heat dissipated in the shaft [J], shape (steps,).
     torque
-        Of each generator with its stop [N m], shape (steps, joints).
+        Torque of each generator with its stop [N m], shape (steps, joints).
     """
 
     time: Any
@@ -72,18 +71,18 @@ class Motion(NamedTuple):
 
 
 class Shot(NamedTuple):
-    """A swing at first touch, and what follows.
+    """A swing at first touch, with launch and flight.
 
     Attributes
     ----------
     time
-        Of first touch, since the start from rest [s].
+        Time of first touch after the start from rest [s].
     coordinates, rates
-        As of :class:`Motion`, shape (n,).
+        As in :class:`Motion`, shape (n,).
     ball
-        Where its centre lies, from the middle of the hands in the reference pose [m], shape (3,).
+        Centre of the ball relative to the middle of the hands in the reference pose [m], shape (3,).
     delivery, launch, flight
-        Quantities by name [SI], as :func:`clubface.jax.impact` and :func:`clubface.jax.fly` take and return them.
+        Quantities by name [SI], as in :func:`clubface.jax.impact` and :func:`clubface.jax.fly`.
     """
 
     time: Any
@@ -104,7 +103,7 @@ class _State(NamedTuple):
 
 
 class Swing:
-    """A golfer with a club, as a function of torques and their timing and of the stiffness of the shaft.
+    """A golfer with a club, as a function of torques, their timing, and the stiffness of the shaft.
 
     >>> import jax, jax.numpy as jnp
     >>> from clubface import chain
@@ -113,36 +112,37 @@ class Swing:
     ...     return swing.shot(onset=onset).flight["carry"]
     >>> slope = jax.grad(carry)(jnp.array(swing.golfer.onset))
 
-    The golfer knows where the club comes down: the ball lies where the face turns square and meets the given point of
-    it, unless ``ball_forward`` says how far ahead it lies. To stand elsewhere changes nothing of a swing.
+    The golfer is assumed to know where the club comes down: the ball lies where the face turns square and meets the
+    given point of the face, unless ``ball_forward`` gives its position. Standing elsewhere would not change the swing.
 
     Parameters
     ----------
     club
-        A built-in name, the path of a TOML file, or a :class:`clubface.Club`, right-handed.
+        A built-in name, the path of a TOML file, or a :class:`clubface.Club`; right-handed.
     shaft
-        The same of a :class:`clubface.Shaft`; its grip is held by the hands.
+        A built-in name, the path of a TOML file, or a :class:`clubface.Shaft`; the hands hold its grip.
     golfer
-        Left out, :meth:`GolferBody.three_segments`, who swings in the plane of the lie of the shaft.
+        Default: :meth:`GolferBody.three_segments`, swinging in the plane of the shaft's lie.
     ball
-        A built-in name, a file, or a :class:`clubface.Ball`.
+        A built-in name, the path of a TOML file, or a :class:`clubface.Ball`.
     model
-        Of impact, as for :func:`clubface.impact`.
+        Impact model, as for :func:`clubface.impact`.
     hands
-        From the butt to the middle of the hands, where the shaft is clamped [m].
+        Distance from the butt to the middle of the hands, where the shaft is clamped [m].
     modes
-        Number of the coordinates of the shaft: 0 is rigid, 2 bend it in two planes, and 5 also twist it and bend it as
-        any force and moment of the head do; with more it vibrates in between.
+        Number of shaft coordinates: 0 is rigid; 2 bend it in two planes; 5 also twist it and reproduce bending under
+        any force and moment of the head; more add vibrations.
     links
-        Number of the pieces into which it is cut.
+        Number of pieces into which the shaft is divided.
     damping
-        Of the shaft as the hands hold it: elastic forces act also on the rates of its coordinates times this [s].
-        Assumed: 5 % of critical where it bends at 4 Hz, a third where it twists. With a tenth of it the twist still
-        vibrates at impact, and decides where the face turns square. More than 7 modes need less, or shorter steps.
+        Time constant of shaft damping in the hands [s]: elastic forces also act on this multiple of the rates. The
+        default is assumed: 5% of critical for bending at 4 Hz, a third for twisting. With a tenth of it, twisting
+        still vibrates at impact and determines where the face turns square. More than 7 modes need less damping or
+        shorter steps.
     attached
-        Whether the shaft, free at the butt but for the grip, adds to the inertia of the head at impact.
+        Whether the shaft, free at the butt except for the grip, adds to the inertia of the head at impact.
     step, duration
-        Of time [s]: the fixed step of the Runge-Kutta method of fourth order, and until when the ball must be reached.
+        Fixed time step of the fourth-order Runge-Kutta method, and time by which the ball must be reached [s].
     """
 
     def __init__(
@@ -162,10 +162,10 @@ class Swing:
         duration: float = 0.4,
     ) -> None:
         if not jax.config.read("jax_enable_x64"):
-            raise InputError("precision of JAX", "single", 'jax.config.update("jax_enable_x64", True) before')
+            raise InputError("precision of JAX", "single", 'double: jax.config.update("jax_enable_x64", True)')
         self.club, self.shaft, self.ball = club_named(club), shaft_named(shaft), ball_named(ball)
         if self.club.hand != 1:
-            raise InputError("hand of the club", "left", "right: a left-hander is the mirror image")
+            raise InputError("hand of the club", "left", "right; a left-hander is the mirror image")
         self.golfer = GolferBody.three_segments(lie=self.shaft.lie) if golfer is None else golfer
         self.model, self.hands, self.links, self.attached = model, hands, links, attached
         self.step, self.steps = step, round(duration / step)
@@ -180,11 +180,11 @@ class Swing:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Values that may be given: by joint, by station of the shaft, and of the ball."""
+        """Names of values that may be given: per joint, per station of the shaft, and of the ball."""
         return (*BY_JOINT, *BY_STATION, *PLACES)
 
     def values(self, **given: ArrayLike) -> dict[str, Array]:
-        """Return all values of a swing: those given, and those of golfer and shaft."""
+        """Return all values of a swing: the given ones, and those of golfer and shaft."""
         check_names("value of a swing", given, self.names)
         values: dict[str, Any] = {name: getattr(self.golfer, name) for name in BY_JOINT}
         values |= {name: getattr(self.shaft, name) for name in BY_STATION}
@@ -196,30 +196,30 @@ class Swing:
         return {name: jnp.asarray(value, float) for name, value in (values | given).items()}
 
     def motion(self, **given: ArrayLike) -> Motion:
-        """Return the swing over time up to first touch; the values are those of :meth:`shot`."""
+        """Return the history of the swing up to first touch; the values are those of :meth:`shot`."""
         return self._compiled_motion(self.values(**given))
 
     def shot(self, **given: ArrayLike) -> Shot:
-        """Return the swing at first touch, the launch of the ball, and its flight.
+        """Compute the swing up to first touch, the launch of the ball, and its flight.
 
         Parameters
         ----------
         **given
-            Any of the values of the golfer by joint (``start``, ``onset``, ``rise_time``, ``maximum_torque``,
-            ``maximum_speed``), of the shaft by station (``bending_stiffness``, ``torsional_stiffness``), and of the
-            ball: ``toe`` and ``high``, where the face meets it [m], and ``ball_forward``, how far its centre lies ahead
-            of the middle of the hands in the reference pose [m]; left out, it lies where the face turns square.
+            Values of the golfer per joint (``start``, ``onset``, ``rise_time``, ``maximum_torque``,
+            ``maximum_speed``), of the shaft per station (``bending_stiffness``, ``torsional_stiffness``), and of the
+            ball: ``toe`` and ``high``, the impact point on the face [m], and ``ball_forward``, the position of its
+            centre ahead of the middle of the hands in the reference pose [m]; default: where the face turns square.
 
         Raises
         ------
         InputError
-            The club does not come down to the ball in time; within a function that JAX compiles, what depends on the
-            shot is NaN or an error of JAX instead.
+            The club does not reach the ball in time. Within a function compiled by JAX, results that depend on the shot
+            are NaN or raise an error of JAX instead.
         """
         values = self.values(**given)
         end, missed, delivery, place = self._compiled_end(values)
         if not isinstance(missed, Tracer) and missed:
-            allowed = "torques and timing with which the face comes down to the ball, or a longer duration"
+            allowed = "torques and timing that bring the face to the ball, or a longer duration"
             raise InputError("swing", Wording(f"without impact in {self.step * self.steps:g} s"), allowed)
         added = self._attached if not set(BY_STATION) & set(given) else self._added(*(values[n] for n in BY_STATION))
         launch = clubface.jax.impact(
@@ -229,16 +229,16 @@ class Swing:
         return Shot(end.time, end.coordinates, end.rates, place, delivery, launch, flight)
 
     def mjcf(self, *, links: int | None = None) -> str:
-        """Return the same golfer and club as XML for MuJoCo, with a joint for each segment and springs along the shaft.
+        """Return the golfer and club as MuJoCo XML, with a joint for each segment and springs along the shaft.
 
-        In the reference pose all of its angles are 0 and the axes of all bodies are those of the world. The body "head"
-        has its origin in the CG of the head and its axes.
+        In the reference pose all angles are 0 and all bodies have world axes. The body "head" has its origin at the CG
+        of the head, and the head's axes.
 
         Parameters
         ----------
         links
-            Number of the pieces of the shaft, each of which bends and twists; 0 is a rigid shaft. Left out, that of the
-            swing, or 0 if that has no modes.
+            Number of shaft pieces that bend and twist; 0 is a rigid shaft. Default: as in the swing, or 0 if the swing
+            has no modes.
         """
         if links is None:
             links = self.links if self.mechanism.size > self.mechanism.joints else 0
@@ -247,15 +247,15 @@ class Swing:
         )  # fmt: skip
 
     def torques(self, time: ArrayLike, angles: ArrayLike, speeds: ArrayLike, **given: ArrayLike) -> Array:
-        """Return the torques of generators and stops [N m] at a time [s], angles [rad] and speeds [rad/s] of joints."""
+        """Return the torques of generators and stops [N m] at time [s], joint angles [rad] and speeds [rad/s]."""
         return self._compiled_torques(time, angles, speeds, self.values(**given) if given else self._defaults)
 
     def head(self, coordinates: ArrayLike, rates: ArrayLike) -> HeadMotion:
-        """Return where the head is and how it moves at some coordinates and rates, as :class:`Shot` has them."""
+        """Return pose and motion of the head for coordinates and rates as in :class:`Shot`."""
         return head_motion(self.mechanism, coordinates, rates)
 
     def energy(self, coordinates: ArrayLike, rates: ArrayLike, **given: ArrayLike) -> tuple[Array, Array]:
-        """Return kinetic energy, and potential energy of gravity and shaft, above the reference pose at rest [J]."""
+        """Return kinetic energy, and potential energy of gravity and shaft relative to the reference pose [J]."""
         stiffness = self._stiffness(self.values(**given))
         return kinetic_energy(self.mechanism, coordinates, rates), potential_energy(
             self.mechanism, coordinates, stiffness
@@ -267,7 +267,7 @@ class Swing:
         )
 
     def _start(self, values: dict[str, Any], stiffness: Any) -> _State:
-        """Return the state at the top, at rest, with the shaft in balance with its weight."""
+        """Return the state of rest at the top, with the shaft in equilibrium under gravity."""
         joints, size = self.mechanism.joints, self.mechanism.size
         start = values["start"]
 
@@ -293,7 +293,7 @@ class Swing:
         return _State(jnp.ones(()), state.rates, change, driven * state.rates[:joints], lost @ bending)
 
     def _advance(self, values: dict[str, Any], stiffness: Any, state: _State, step: Any) -> _State:
-        """Return the state a step later, by the classical Runge-Kutta method; its four stages are one compiled loop."""
+        """Advance the state by one classical Runge-Kutta step; a loop over the four stages keeps compilation short."""
 
         def stage(carry: tuple[_State, _State], each: Any) -> tuple[tuple[_State, _State], None]:
             slope, total = carry
@@ -306,12 +306,12 @@ class Swing:
         return jax.lax.scan(stage, (none, state), stages)[0][1]
 
     def _to_ball(self, values: dict[str, Any]) -> Any:
-        """Return the vector from the CG of the head to the ball that it touches, in the axes of the head [m]."""
+        """Return the vector from the head's CG to the ball at first touch, in the head's axes [m]."""
         at = {"toe": values["toe"], "high": values["high"]}
         return -clubface.jax.pose(at, self.club, ball=self.ball).position
 
     def _gap(self, values: dict[str, Any], to_ball: Any, coordinates: Any, rates: Any) -> tuple[Any, Any, Any, Any]:
-        """Return what is 0 at first touch, negative before; whether the face may meet the ball; the ball; the head."""
+        """Return the gap (0 at first touch, negative before), whether the face may meet the ball, ball, and head."""
         head = head_motion(self.mechanism, coordinates, rates)
         place = head.position + head.rotation @ to_ball
         loft = self.club.loft
@@ -320,7 +320,7 @@ class Swing:
         return gap, normal[0] > TOWARDS_BALL, place, head
 
     def _next(self, values: dict[str, Any], to_ball: Any, stiffness: Any, state: _State) -> _State:
-        """Return the state a step later, or at first touch, to which Newton's steps converge."""
+        """Return the state one step later, or at first touch, to which Newton steps converge."""
 
         def gap(coordinates: Any) -> tuple[Any, Any]:
             result, near, _, _ = self._gap(values, to_ball, coordinates, state.rates)

@@ -1,1 +1,1 @@
-"""Clubs and balls: what they are, how they are read and written, and the models and parameters that fit them."""
+"""Clubs, balls and shafts: their properties and files, and the models with their parameters."""

@@ -1,6 +1,6 @@
-"""What a mechanism adds to the inertia of a head: as a value of a club, and as inputs of the core.
+"""Inertia that an attached mechanism, such as shaft and hands, adds to a head: as a club property and as core inputs.
 
-Shaft and hands are a symmetric 6 x 6 matrix, force and moment about the CG by velocity and angular velocity.
+It is a symmetric 6 x 6 matrix from velocity and angular velocity to impulse and its moment about the CG.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ __all__ = [
 Rows = tuple[tuple[float, ...], ...]
 
 CONTACT_TIME = 450e-6
-"""How long a driver and a ball touch [s]; with irons it is a tenth more, and what a shaft adds some hundredths less."""
+"""Contact time of driver and ball [s]. Irons have a tenth more, which lowers the shaft's effect by a few hundredths."""
 SIZE = 6
 SHAPE = "6 rows of 6 numbers [kg, kg m, kg m2]"
 ADDED_INERTIA = Items(Items(PhysicalValue("1"), SIZE, SIZE, SHAPE), SIZE, SIZE, SHAPE)
-"""The kind of the matrix in a file."""
+"""Type of the matrix in a file."""
 ASYMMETRY = 1e-6
-"""By how much opposite elements may differ, as a part of the geometric mean of the elements on the diagonal."""
+"""Tolerance for opposite elements, relative to the geometric mean of the diagonal elements."""
 _SYMMETRIC = ("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("xz", 0, 2), ("yz", 1, 2)
 _ALL = tuple((f"{one}{other}", i, j) for i, one in enumerate("xyz") for j, other in enumerate("xyz"))
 _PLACES = {
@@ -33,18 +33,18 @@ _PLACES = {
     **{f"added_coupling_{name}": (i, 3 + j) for name, i, j in _ALL},
     **{f"added_inertia_{name}": (3 + i, 3 + j) for name, i, j in _SYMMETRIC},
 }
-"""Row and column of each input of the core."""
+"""Row and column in the matrix of each core input."""
 ADDED_NAMES = _PLACES.keys()
-"""The inputs of a shot that the matrix gives, in the order of the core."""
+"""Shot inputs given by the matrix, in the core's order."""
 
 
 def added_inputs(rows: Rows | None) -> dict[str, float]:
-    """Return the inputs of the core that are not 0 for an attached head; none for a free one."""
+    """Return the core inputs of an attached head; empty for a free one."""
     return {} if rows is None else {name: rows[i][j] for name, (i, j) in _PLACES.items()}
 
 
 def matrix_of(values: Mapping[str, float]) -> Any:
-    """Return the matrix of which the inputs of the core are the elements, shape (6, 6)."""
+    """Return the matrix of the core inputs, shape (6, 6)."""
     import numpy as np
 
     matrix = np.zeros((SIZE, SIZE))
@@ -54,7 +54,7 @@ def matrix_of(values: Mapping[str, float]) -> Any:
 
 
 def symmetric_rows(given: Any) -> Any:
-    """Return rows of numbers, symmetric to the last bit; what is none stays for the schema to refuse.
+    """Return the rows of the matrix, made exactly symmetric; anything else is returned as is, for the schema to reject.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def symmetric_rows(given: Any) -> Any:
         for j in range(i):
             difference, scale = abs(rows[i][j] - rows[j][i]), (abs(rows[i][i]) * abs(rows[j][j])) ** 0.5
             if difference > ASYMMETRY * scale + 1e-12:
-                places = f"{rows[j][i]:g} in row {j + 1}, column {i + 1} and {rows[i][j]:g} opposite to it"
+                places = f"{rows[j][i]:g} in row {j + 1}, column {i + 1} but {rows[i][j]:g} in the opposite element"
                 raise InputError("added_inertia", Wording(places), "a symmetric matrix")
     return tuple(tuple(0.5 * (rows[i][j] + rows[j][i]) for j in range(SIZE)) for i in range(SIZE))
 
@@ -82,7 +82,7 @@ def _is_square(rows: Any) -> bool:
 
 
 def spatial_inertia(mass: float, inertia: Sequence[Sequence[float]], added: Rows | None = None) -> Rows:
-    """Return the spatial inertia of a head about its CG, with what is added to it."""
+    """Return the spatial inertia of a head about its CG, including any added inertia."""
     total = [[0.0] * SIZE for _ in range(SIZE)] if added is None else [list(row) for row in added]
     for i in range(3):
         total[i][i] += mass
@@ -92,7 +92,7 @@ def spatial_inertia(mass: float, inertia: Sequence[Sequence[float]], added: Rows
 
 
 def on_mechanism(mass: float, inertia: Sequence[Sequence[float]], operational_inertia: Any) -> Rows:
-    """Return what a mechanism adds, from the whole spatial inertia of the head in it, shape (6, 6)."""
+    """Return the inertia that a mechanism adds, from the spatial inertia of the head attached to it, shape (6, 6)."""
     import numpy as np
 
     from clubface.simulation.beam import added_inertia
@@ -104,7 +104,7 @@ def on_mechanism(mass: float, inertia: Sequence[Sequence[float]], operational_in
     try:
         added = added_inertia(total, own)
     except ValueError as error:
-        shown = Wording(f"less than the free head by {str(error).lstrip('-')} in some motion")
-        allowed = "at least the spatial inertia of the head about its CG, in its axes; check mass, axes and order"
+        shown = Wording(f"less than that of the free head by {str(error).lstrip('-')} in some motion")
+        allowed = "at least the spatial inertia of the free head about its CG, in its axes; check mass, axes and order"
         raise InputError("operational_inertia", shown, allowed) from None
     return tuple(tuple(float(each) for each in row) for row in added)

@@ -1,8 +1,8 @@
-"""Golf balls: from TOML, from code or built in, checked.
+"""Golf balls: built in, from TOML or from code, with checks.
 
-One file describes a ball to every model: its mass, radius and inertia; where finite elements are to strike it, the
-pieces it is made of, which stay plain data here; and the values that models take for it. Mass and inertia follow from
-the pieces where the file does not give them; the materials of the pieces are not read.
+One file describes a ball for every model: mass, radius and inertia; for finite elements, the pieces it is made of,
+which remain plain data here; and parameter values for models. If mass and inertia are not given, they follow from the
+pieces, whose materials are not needed for this.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ class Construction:
     Attributes
     ----------
     data
-        The mesh and the pieces, as they were read.
+        Mesh and pieces, as read.
     document
-        The whole file, which finite elements read.
+        The whole file, for finite elements.
     """
 
     KEYS: ClassVar = ("cube", "element", "pieces")
@@ -45,21 +45,21 @@ class Construction:
 
     @classmethod
     def of(cls, document: Document) -> Construction:
-        """Return the mesh and the pieces of a document."""
+        """Return the mesh and pieces of a document."""
         return cls({key: value for key, value in document.data.items() if key in cls.KEYS}, document)
 
 
 class Body(NamedTuple):
-    """A ball as a rigid body: mass [kg], moment of inertia about the centre [kg m2]."""
+    """Rigid-body properties of a ball: mass [kg] and moment of inertia about the centre [kg m2]."""
 
     mass: float
     inertia: float
 
 
 def body(document: Document, radius: float, mass: Any) -> Body:
-    """Return mass and inertia of the pieces of a file, spheres one around the other.
+    """Return mass and inertia of the concentric pieces in a file.
 
-    The core has the density that makes up the mass, or with None its own.
+    If ``mass`` is given, the density of the core follows from it; if None, the core has its own density.
     """
     top = Place(document)
     with (place := top.key("pieces")).errors():
@@ -78,7 +78,7 @@ def body(document: Document, radius: float, mass: Any) -> Body:
         inner = outer - thickness
         with place.item(index).errors():
             if not 0.0 < inner < outer:
-                raise InputError("thickness", units.show(thickness, "mm"), "such that the layers leave a core")
+                raise InputError("thickness", units.show(thickness, "mm"), "small enough to leave room for a core")
         total += density * _volume(inner, outer)
         inertia += density * _second_moment(inner, outer)
         outer = inner
@@ -89,12 +89,12 @@ def body(document: Document, radius: float, mass: Any) -> Body:
             mass = PhysicalValue("g").read(mass, top.key("mass"))
             density = (mass - total) / _volume(0.0, outer)
             if not density > 0.0:
-                raise InputError("mass", units.show(mass, "g"), "more: the layers around it leave the core no mass")
+                raise InputError("mass", units.show(mass, "g"), "more; the layers leave no mass for the core")
     return Body(total + density * _volume(0.0, outer), inertia + density * _second_moment(0.0, outer))
 
 
 def pieces_lines(data: Mapping[str, Any]) -> list[str]:
-    """Return the lines of the pieces, as they were read."""
+    """Return the TOML lines of the pieces, as read."""
     lines = []
     for piece in data["pieces"]:
         lines += ["[[pieces]]", *toml_lines({key: value for key, value in piece.items() if key != "maxwell"})]
@@ -105,7 +105,7 @@ def pieces_lines(data: Mapping[str, Any]) -> list[str]:
 
 
 def toml_lines(values: Mapping[str, Any]) -> list[str]:
-    """Return a line for each key."""
+    """Return one TOML line per key."""
     return [f"{key} = {quoted(value) if isinstance(value, str) else repr(value)}" for key, value in values.items()]
 
 
@@ -114,22 +114,22 @@ def _volume(inner: float, outer: float) -> float:
 
 
 def _second_moment(inner: float, outer: float) -> float:
-    """Return the moment of inertia of a spherical shell over its density [m5]."""
+    """Return the moment of inertia of a spherical shell divided by its density [m5]."""
     return 8.0 / 15.0 * math.pi * (outer**5 - inner**5)
 
 
 FOLDER = "balls"
 DEFAULT_BALL = "modern"
-"""The ball where none is named."""
+"""Name of the default ball."""
 PUBLISHED_BALL = "published"
-"""The ball with which the published parameters were found; its diameter is 0.07 mm below the limit of the rules."""
+"""Name of the ball used to find the published parameters; its diameter is 0.07 mm below the rule limit."""
 BALL_MASS_LIMIT = 45.93e-3
-"""kg, at most (1.620 oz); The Equipment Rules."""
+"""Maximum mass [kg] (1.620 oz); The Equipment Rules."""
 BALL_DIAMETER_LIMIT = 42.67e-3
-"""m, at least (1.680 in); The Equipment Rules."""
+"""Minimum diameter [m] (1.680 in); The Equipment Rules."""
 
 RIGID = ("mass", "radius", "inertia")
-"""What every model takes."""
+"""Properties used by every model."""
 
 
 FRICTION_LIMITS = (0.0, 10.0)
@@ -137,7 +137,7 @@ COVER_FRICTION = PhysicalValue("1", *FRICTION_LIMITS)
 
 
 def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
-    """Return values of parameters [SI] by model, each within the bounds that the model declares."""
+    """Return parameter values [SI] by model, checked against the model's bounds."""
     result: dict[str, Frozen[str, float]] = {}
     for name, values in given.items():
         checked = {}
@@ -150,21 +150,23 @@ def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Map
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Ball(EquipmentItem):
-    """A golf ball, SI.
+    """A golf ball, in SI units.
 
-    ``parameters`` replace the defaults of a model, unless a set or the value itself is given. ``construction`` is what
-    finite elements mesh: the pieces as their file has them, or a :class:`clubface.fem.Ball`; or None. ``sources`` say
-    where each value comes from, by field name.
+    ``parameters`` replace the defaults of a model, unless a parameter set or the value itself is given.
+    ``construction`` is what finite elements mesh: the pieces as in the file, or a :class:`clubface.fem.Ball`; or None.
+    ``sources`` gives the source of each value, by field name.
     """
 
     OTHER_KEYS: ClassVar = dict.fromkeys(Construction.KEYS, Simple())
 
-    name: str = file_key(NAME, "name in tables")
-    description: str = file_key(TEXT, "a sentence for lists", default="")
+    name: str = file_key(NAME, "name shown in tables")
+    description: str = file_key(TEXT, "one sentence for lists", default="")
     mass: float = file_key(PhysicalValue("g"), "mass", example="45.93 g")
     radius: float = file_key(PhysicalValue("mm"), "radius", example="21.335 mm", multiples={"diameter": 0.5})
     inertia: float = file_key(PhysicalValue("g cm2"), "moment of inertia about the centre", example="83.6 g cm2")
-    friction: float | None = file_key(COVER_FRICTION, "of the cover on a clubface", example="0.35", default=None)
+    friction: float | None = file_key(
+        COVER_FRICTION, "coefficient between cover and clubface", example="0.35", default=None
+    )
     parameters: Mapping[str, Mapping[str, float]] = file_key(
         Record(Record(Simple()), make=_checked_parameters),
         "parameter values, one table per model",
@@ -172,7 +174,7 @@ class Ball(EquipmentItem):
         hash=False,
     )
     sources: Mapping[str, str] = file_key(
-        sources_of(lambda: Ball, "diameter", "pieces"), "where each value comes from", default_factory=dict, hash=False
+        sources_of(lambda: Ball, "diameter", "pieces"), "source of each value", default_factory=dict, hash=False
     )
     construction: Any = field(default=None, hash=False, repr=False)
 
@@ -191,15 +193,15 @@ class Ball(EquipmentItem):
             )
 
     def inputs(self) -> dict[str, float]:
-        """Return the values the models take, SI, under the core's names and in its order."""
+        """Return the values [SI] used by the models, under the core's names and in its order."""
         return {f"ball_{key}": getattr(self, key) for key in RIGID}
 
     def to_toml(self) -> str:
-        """Write the ball as TOML text, which :meth:`from_text` reads back exactly."""
+        """Return the ball as TOML text that :meth:`from_text` reads back exactly."""
         text = to_toml(self)
         if not isinstance(self.construction, Construction):
             return text
-        # Keys of the file itself cannot follow a table.
+        # Top-level keys cannot follow a table.
         first, *rest = text.split("\n\n", 1)
         mesh = {key: value for key, value in self.construction.data.items() if key != "pieces"}
         top = [first, *toml_lines(mesh)]
@@ -207,7 +209,7 @@ class Ball(EquipmentItem):
 
     @classmethod
     def from_document(cls, document: Document) -> Self:
-        """Read the ball a TOML document describes, from its pieces where it has such."""
+        """Read the ball described by a TOML document, from its pieces if it has any."""
         if "pieces" not in document.data:
             return decode(cls, document)
         made = body(document, _read_radius(document), document.data.get("mass"))
@@ -217,12 +219,12 @@ class Ball(EquipmentItem):
 
     @classmethod
     def builtin(cls, name: str) -> Self:
-        """Return a ball that comes with the package, such as ``"conforming"``."""
+        """Return a built-in ball, such as ``"conforming"``."""
         return cls.from_toml(builtin_path("ball", name, FOLDER))
 
     @staticmethod
     def template(name: str = "my-ball") -> str:
-        """Return TOML text to start your own ball from, every key explained."""
+        """Return a commented TOML template for your own ball."""
         check_name(name)
         head = [
             "# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).",
@@ -231,14 +233,13 @@ class Ball(EquipmentItem):
 
 
 BALL_PROPERTIES = quantities(Ball)
-"""The numbers that describe a ball, by field."""
+"""Numeric properties of a ball, by field."""
 
 
 def ball(name: str | os.PathLike[str] | Ball | None = None) -> Ball:
-    """Return the ball meant by a built-in name, the path of a TOML file, or a :class:`Ball` itself.
+    """Return a ball: a built-in one by name, one from a TOML file, or ``name`` itself; default ``DEFAULT_BALL``.
 
-    Without a name it is ``DEFAULT_BALL``. A ball of finite elements made in code is taken as the rigid ball that it is
-    to other models.
+    A finite element ball made in code gives the equivalent rigid ball.
     """
     name = getattr(name, "rigid", name)
     if isinstance(name, Ball):
@@ -249,7 +250,7 @@ def ball(name: str | os.PathLike[str] | Ball | None = None) -> Ball:
 
 
 def published_ball() -> Ball:
-    """Return the ball of the published parameters, without the warning that it is smaller than the rules allow."""
+    """Return the ball of the published parameters, without the warning about its size."""
     with without_warnings():
         return Ball.builtin(PUBLISHED_BALL)
 
@@ -260,12 +261,12 @@ def _default() -> Ball:
 
 
 def ball_names() -> tuple[str, ...]:
-    """List the built-in balls."""
+    """Return the names of the built-in balls."""
     return builtin_names(FOLDER)
 
 
 def _read_radius(document: Document) -> float:
-    """Return the radius of a document [m], and refuse what is not a whole ball."""
+    """Return the radius in a document [m], after checking that the ball is complete."""
     place = Place(document)
     radius = entries(Ball)["radius"]
     given = [key for key in (radius.key, *radius.multiples) if key in document.data]

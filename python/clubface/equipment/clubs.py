@@ -1,7 +1,7 @@
-"""Clubheads: from TOML, from code or built in, checked so that only possible bodies reach the core.
+"""Clubheads: built in, from TOML or from code, checked so that only physically possible bodies reach the core.
 
-The built-in driver and 7-iron are those of "Three-dimensional golf clubhead-ball impact models for
-drivers and irons", Table 1.
+The built-in driver and 7-iron are those of Table 1 in "Three-dimensional golf clubhead-ball impact models for drivers
+and irons".
 """
 
 from __future__ import annotations
@@ -45,22 +45,22 @@ if TYPE_CHECKING:
     from clubface.equipment.shafts import Shaft
 
 RIGID = 0.7762
-"""Coefficient of restitution of the built-in driver with a rigid face, struck in front of its CG by the ball ``modern``
-at 160 ft/s (48.8 m/s), by finite elements."""
+"""Coefficient of restitution of the built-in driver with a rigid face at 160 ft/s (48.8 m/s), struck in front of its CG
+by the ball ``modern``, from finite elements."""
 GAIN = (8.355e-3, 3.975e-6, -2.081e-5, 5.893e-7)
-"""Gain of the same head with a face that gives: coefficients of even powers of the characteristic time in units of 100
-us, from the second on. They fit finite elements up to 400 us to 0.0003 (``python studies/face_restitution.py``)."""
+"""Coefficients for the gain in restitution with a flexible face, of even powers (from the second) of the characteristic
+time in units of 100 us. They fit finite elements up to 400 us to 0.0003 (``python studies/face_restitution.py``)."""
 UNIT = 100e-6
 RANGE = (0.778, 0.86)
-"""Restitutions that a face may be given: those of 46 to 377 us."""
+"""Allowed restitution of a face, corresponding to 46 to 377 us."""
 CLUB_FILES = dict.fromkeys(("shape", "groups"), "clubface.fem.heads.read")
-"""The module that reads club files of another form than that of :class:`Club`, by a key that only they have.
+"""Modules that read other formats of club files, by a key that only these formats have.
 
-Its function ``club_of`` makes a club of a document of strict TOML."""
+The module's function ``club_of`` makes a club from a document."""
 
 
 def restitution(characteristic_time: float) -> float:
-    """Return the coefficient of restitution at 160 ft/s that goes with a characteristic time [s] of up to 400 us."""
+    """Return the coefficient of restitution at 160 ft/s for a characteristic time [s] of up to 400 us."""
     square = (characteristic_time / UNIT) ** 2
     gain = 0.0
     for coefficient in reversed(GAIN):
@@ -69,10 +69,10 @@ def restitution(characteristic_time: float) -> float:
 
 
 def characteristic_time_of(cor: float) -> float:
-    """Return the characteristic time [s] that goes with a coefficient of restitution at 160 ft/s, by bisection."""
+    """Return the characteristic time [s] for a coefficient of restitution at 160 ft/s, by bisection."""
     least, most = RANGE
     if not least <= cor <= most:
-        rigid = f"a rigid face has {RIGID:.3f} with the ball modern: leave it out for that"
+        rigid = f"leave it out for a rigid face, which has {RIGID:.3f} with the ball modern"
         raise InputError("cor", cor, f"from {least} to {most} at 160 ft/s; {rigid}")
     low, high = 0.0, 400e-6
     while (middle := 0.5 * (low + high)) not in (low, high):
@@ -83,23 +83,23 @@ def characteristic_time_of(cor: float) -> float:
 KINDS = ("wood", "hybrid", "iron")
 FAMILIES = ("driver", "7-iron")
 CATEGORIES = ("drivers", "fairway woods", "hybrids", "irons", "wedges")
-"""What clubs are listed by; the least loft of a fairway wood and of a wedge is ``FAIRWAY_LOFT`` and ``WEDGE_LOFT``."""
+"""Categories in lists; the minimum lofts of fairway woods and wedges are ``FAIRWAY_LOFT`` and ``WEDGE_LOFT``."""
 FAIRWAY_LOFT, WEDGE_LOFT = units.to_si(13.0, "deg"), units.to_si(42.0, "deg")
 TOUR_CLUBS = (
     "driver", "3-wood", "5-wood", "hybrid", "3-iron", "4-iron", "5-iron", "6-iron", "7-iron", "8-iron",
     "9-iron", "pitching-wedge",
 )  # fmt: skip
-"""The built-in clubs of the tour averages, one for each row, in that order."""
+"""Built-in clubs of the tour averages, one per row, in that order."""
 CLUB_NAMES = (*TOUR_CLUBS, *(name for name in builtin_names("clubs") if name not in TOUR_CLUBS))
-"""All built-in clubs: those of the tours, then the others in alphabetical order. A club is one file of the folder."""
+"""All built-in clubs: those of the tours, then the others in alphabetical order. Each club is a file in the folder."""
 
 MOI_LIMIT = 5900e-7
-"""kg m2 about the vertical axis, wood-type clubs, with ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
+"""Limit [kg m2] about the vertical axis for woods, plus ``MOI_TOLERANCE``; USGA notice on clubhead inertia."""
 MOI_TOLERANCE = 100e-7
 COR_LIMIT = 0.83
-"""Coefficient of restitution; The Equipment Rules."""
+"""Limit for the coefficient of restitution; The Equipment Rules."""
 TIME_LIMIT = 239e-6
-"""Characteristic time [s], with ``TIME_TOLERANCE``; The Equipment Rules."""
+"""Limit for the characteristic time [s], plus ``TIME_TOLERANCE``; The Equipment Rules."""
 TIME_TOLERANCE = 18e-6
 
 MILLIMETRES, MOMENT = PhysicalValue("mm"), PhysicalValue("g cm2")
@@ -108,32 +108,32 @@ RADIUS = PhysicalValue("mm", special={FLAT: math.inf})
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Club(EquipmentItem):
-    """A clubhead, SI and radians, described for a right-handed club (its mirror image carries ``hand = -1``).
+    """A clubhead in SI units, described as a right-handed club (``hand = -1`` marks its mirror image).
 
     Axes at the static loft: x to the target, y up, z to the right of the target line, which is the toe side.
 
-    Inertia is about the CG. A face is flat where its radius is ``math.inf``. ``hand`` is +1 right, -1 left. The
-    characteristic time, if left out, is that which goes with ``cor``, or 0, a rigid face; one that gives has 20 to 600
-    us. ``sources`` say where each value comes from, by field name. All values are SI.
+    Inertia is about the CG. A radius of ``math.inf`` means a flat face. ``hand`` is +1 for right, -1 for left. If left
+    out, the characteristic time follows from ``cor``, or is 0 for a rigid face; a flexible face has 20 to 600 us.
+    ``sources`` gives the source of each value, by field name.
 
-    ``added_inertia`` is what shaft and hands add to the spatial inertia of the head about its CG in the time of an
-    impact, shape (6, 6): force and moment by velocity and angular velocity [kg, kg m, kg m2], in the same axes. A head
-    without it is free. :meth:`on_shaft` finds it for a shaft, :meth:`on_mechanism` for a multibody program.
+    ``added_inertia`` is what shaft and hands add to the spatial inertia of the head about its CG during impact, shape
+    (6, 6): from velocity and angular velocity to impulse and its moment [kg, kg m, kg m2], in the same axes. Without it
+    the head is free. :meth:`on_shaft` computes it for a shaft, :meth:`on_mechanism` for a multibody program.
     """
 
     SOURCE_GROUPS: ClassVar = {"cg": ("cg_x", "cg_y", "cg_z"), "inertia": ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")}
 
-    name: str = file_key(NAME, "name in tables")
+    name: str = file_key(NAME, "name shown in tables")
     kind: str = file_key(Choice(KINDS), "kind of head", example='"wood"')
-    hand: int = file_key(Choice(HANDS), "right or left; the numbers stay those of the right-handed club", default=1)
+    hand: int = file_key(Choice(HANDS), "right or left; all values describe the right-handed club", default=1)
     parameters: str = file_key(Choice(FAMILIES), "published parameter sets to use", default="")
-    description: str = file_key(TEXT, "a sentence for lists", default="")
+    description: str = file_key(TEXT, "one sentence for lists", default="")
     mass: float = file_key(PhysicalValue("g"), "mass of the clubhead", example="204 g")
     cg_x: float = file_key(MILLIMETRES, "from the CG to the face centre, towards the target", example="42.18 mm")
-    cg_y: float = file_key(MILLIMETRES, "the same, up", example="4.34 mm")
-    cg_z: float = file_key(MILLIMETRES, "the same, to the right of the target line (towards the toe)", example="1.0 mm")
-    ixx: float = file_key(MOMENT, "inertia about the CG, same axes, at the static loft", example="2843 g cm2")
-    iyy: float = file_key(MOMENT, "about the vertical axis: the MOI the rules limit", example="5679 g cm2")
+    cg_y: float = file_key(MILLIMETRES, "from the CG to the face centre, upwards", example="4.34 mm")
+    cg_z: float = file_key(MILLIMETRES, "from the CG to the face centre, towards the toe", example="1.0 mm")
+    ixx: float = file_key(MOMENT, "moment of inertia about the CG, same axes, at the static loft", example="2843 g cm2")
+    iyy: float = file_key(MOMENT, "about the vertical axis: the MOI that the rules limit", example="5679 g cm2")
     izz: float = file_key(MOMENT, "about the heel-toe axis", example="4085 g cm2")
     ixy: float = file_key(MOMENT, "element of the tensor (minus the integral of x y dm)", example="-733 g cm2")
     ixz: float = file_key(MOMENT, "element of the tensor", example="530.2 g cm2")
@@ -144,16 +144,16 @@ class Club(EquipmentItem):
     face_width: float = file_key(MILLIMETRES, "width of the face, heel to toe", example="105 mm")
     face_height: float = file_key(MILLIMETRES, "height of the face, along the face", example="55 mm")
     characteristic_time: float = file_key(
-        PhysicalValue("us"), "of the face, by the rules' pendulum; 0 is rigid", example="250 us", default=None
+        PhysicalValue("us"), "pendulum test of the face; 0 is rigid", example="250 us", default=None
     )
     cor: float | None = file_key(
-        PhysicalValue("1"), "coefficient of restitution at 160 ft/s, instead", example="0.826", default=None
+        PhysicalValue("1"), "alternative: coefficient of restitution at 160 ft/s", example="0.826", default=None
     )
     added_inertia: tuple[tuple[float, ...], ...] | None = file_key(
-        ADDED_INERTIA, "what shaft and hands add to the inertia about the CG, SI", default=None
+        ADDED_INERTIA, "inertia that shaft and hands add, about the CG, SI", default=None
     )
     sources: Mapping[str, str] = file_key(
-        sources_of(lambda: Club, "added_inertia"), "where each value comes from", default_factory=dict, hash=False
+        sources_of(lambda: Club, "added_inertia"), "source of each value", default_factory=dict, hash=False
     )
 
     def __post_init__(self) -> None:
@@ -167,17 +167,17 @@ class Club(EquipmentItem):
         self._warn()
 
     def _set_face(self) -> None:
-        """Find the characteristic time that goes with the restitution; both are given where a club is copied."""
+        """Set the characteristic time from the restitution if needed; a copied club gives both."""
         given, of_cor = self.characteristic_time, 0.0 if self.cor is None else characteristic_time_of(self.cor)
         if given is not None and self.cor is not None and given != of_cor:
-            allowed = f"alone: cor = {self.cor} says the same of the face by another test; leave one of them out"
+            allowed = f"given without cor = {self.cor}, which describes the same property; leave one of them out"
             raise InputError("characteristic_time", units.show(given, "us"), allowed)
         object.__setattr__(self, "characteristic_time", of_cor if given is None else given)
 
     def replace(self, **changes: Any) -> Self:
-        """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``.
+        """Return a copy with fields changed; values are text with a unit or SI numbers: ``mass="200 g"``.
 
-        A new characteristic time takes the place of the restitution, and the other way round.
+        Changing the characteristic time removes the restitution, and vice versa.
         """
         for one, other in (("characteristic_time", "cor"), ("cor", "characteristic_time")):
             if one in changes:
@@ -200,26 +200,26 @@ class Club(EquipmentItem):
                 RuleWarning,
             )
         if self.mass > 1.0:
-            warn_once(f"{self.name}: a clubhead of {self.mass:g} kg; a bare number is in kg", ImplausibleWarning)
+            warn_once(f"{self.name}: clubhead mass {self.mass:g} kg; plain numbers are in kg", ImplausibleWarning)
 
     @property
     def cg(self) -> tuple[float, float, float]:
-        """Vector from the CG to the face centre [m], axes x, y, z."""
+        """Vector from the CG to the face centre [m], in axes x, y, z."""
         return self.cg_x, self.cg_y, self.cg_z
 
     @property
     def cg_depth(self) -> float:
-        """How far the CG lies behind the plane tangent to the face at its centre [m]; negative in front of it."""
+        """Distance of the CG behind the plane tangent to the face at its centre [m]; negative in front of it."""
         return self.cg_x * math.cos(self.loft) + self.cg_y * math.sin(self.loft)
 
     @property
     def cg_height(self) -> float:
-        """How far the CG lies above the normal through the face centre, along the face [m]; negative below."""
+        """Height of the CG above the normal through the face centre, along the face [m]; negative below it."""
         return self.cg_x * math.sin(self.loft) - self.cg_y * math.cos(self.loft)
 
     @property
     def effective_mass(self) -> float:
-        """What resists a push along the normal at the face centre, with what shaft and hands add [kg]."""
+        """Mass that resists a push along the normal at the face centre, including added inertia [kg]."""
         import numpy as np
 
         normal = np.array([math.cos(self.loft), math.sin(self.loft), 0.0])
@@ -245,20 +245,20 @@ class Club(EquipmentItem):
         )
 
     def inputs(self) -> dict[str, float]:
-        """Return the values the models take, SI, under the core's names and in its order."""
+        """Return the values [SI] used by the models, under the core's names and in its order."""
         renamed = {"mass": "club_mass", "loft": "static_loft"}
         values = {renamed.get(key, key): getattr(self, key) for key in CLUB_PROPERTIES if key != "cor"}
         return {**values, "hand": float(self.hand), **added_inputs(self.added_inertia)}
 
     def on_mechanism(self, operational_inertia: ArrayLike) -> Self:
-        """Return the club on the mechanism of a multibody program.
+        """Return the club attached to the mechanism of a multibody program.
 
         Parameters
         ----------
         operational_inertia
-            Spatial inertia of the head as it hangs in the mechanism, the inverse of J M^-1 J^T, with J the Jacobian of
-            velocity and angular velocity of the head's CG in the axes of the head and M the inertia matrix of the whole
-            (O. Khatib, IEEE J. Robot. Autom. 3, 1987, 43-53), shape (6, 6) [kg, kg m, kg m2].
+            Spatial inertia of the head as attached, shape (6, 6) [kg, kg m, kg m2]: the inverse of J M^-1 J^T, with J
+            the Jacobian of velocity and angular velocity of the head's CG in the head's axes, and M the mass matrix of
+            the whole mechanism (O. Khatib, IEEE J. Robot. Autom. 3, 1987, 43-53).
 
         Raises
         ------
@@ -288,19 +288,19 @@ class Club(EquipmentItem):
 
     @property
     def spatial_inertia(self) -> tuple[tuple[float, ...], ...]:
-        """Spatial inertia about the CG with what shaft and hands add, shape (6, 6) [kg, kg m, kg m2]."""
+        """Spatial inertia about the CG including added inertia, shape (6, 6) [kg, kg m, kg m2]."""
         return spatial_inertia(self.mass, self.inertia, self.added_inertia)
 
     def to_toml(self) -> str:
-        """Write the club as TOML text, which :meth:`from_text` reads back exactly."""
+        """Return the club as TOML text that :meth:`from_text` reads back exactly."""
         return to_toml(self, () if self.cor is None else ("characteristic_time",))
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Club:
-        """Read a club from a TOML file; see :meth:`template` for its form.
+        """Read a club from a TOML file; see :meth:`template` for its format.
 
-        The file may also be that of a meshed head, as of :func:`clubface.fem.head`. Its club has the mass, CG, inertia
-        and face of the mesh.
+        The file may also describe a meshed head, as for :func:`clubface.fem.head`; the club then has the mass, CG,
+        inertia and face of the mesh.
         """
         document = Document.read(path)
         for key, module in CLUB_FILES.items():
@@ -310,17 +310,17 @@ class Club(EquipmentItem):
 
     @classmethod
     def builtin(cls, name: str) -> Club:
-        """Return a club that comes with the package, such as ``"driver"``."""
+        """Return a built-in club, such as ``"driver"``."""
         return cls.from_toml(builtin_path("club", name, "clubs", CLUB_NAMES))
 
     @staticmethod
     def template(name: str = "my-club") -> str:
-        """Return TOML text to start your own club from: the built-in driver, every key explained."""
+        """Return a commented TOML template for your own club: the built-in driver."""
         check_name(name)
         head = [
             "# A clubhead, described as a right-handed club at its static loft.",
             "# Axes: x to the target, y up, z to the right of the target line (the toe side).",
-            "# A value is text with a unit; a bare number is SI (kg, m, kg m2, rad).",
+            "# Values are text with a unit, or SI numbers (kg, m, kg m2, rad).",
         ]
         values = {"name": quoted(name), "hand": '"right"', "parameters": '"driver"', "description": '""',
                   "characteristic_time": "250 us"}  # fmt: skip
@@ -328,11 +328,11 @@ class Club(EquipmentItem):
 
 
 CLUB_PROPERTIES = quantities(Club)
-"""The numbers that describe a club, by field."""
+"""Numeric properties of a club, by field."""
 
 
 def club(club_or_name: str | os.PathLike[str] | Club) -> Club:
-    """Return the club meant by a built-in name, by the path of a TOML file, or by a :class:`Club` itself."""
+    """Return a club: a built-in one by name, one from a TOML file, or ``club_or_name`` itself."""
     if isinstance(club_or_name, Club):
         return club_or_name
     return Club.from_toml(club_or_name) if is_path(club_or_name) else Club.builtin(str(club_or_name))

@@ -1,4 +1,4 @@
-"""The common base of clubs, balls and shafts: reading, writing and changing what has the keys of its file as fields."""
+"""Common base of clubs, balls and shafts: dataclasses with the keys of a file as fields, read, written and changed."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from clubface.support.checks import Frozen, check_names
 
 _OWN_NAMES = {"club_mass": "mass", "static_loft": "loft", "ball_mass": "mass", "ball_radius": "radius",
               "ball_inertia": "inertia"}  # fmt: skip
-"""What a club or a ball calls the inputs that a shot calls otherwise."""
+"""Field names in clubs and balls of inputs that have other names in shots."""
 HANDS = {"right": 1, "left": -1}
 FLAT = "flat"
 T = TypeVar("T")
 
 
 def sources_of(schema: Callable[[], type[EquipmentItem]], *others: str) -> Record:
-    """Return the kind of a table that says where each quantity of a dataclass comes from, or another value."""
+    """Return the type of a table with the source of each quantity of a dataclass, and of ``others``."""
     return Record(lambda: dict.fromkeys([*quantities(schema()), *schema().SOURCE_GROUPS, *others], TEXT))
 
 
 class EquipmentItem:
-    """A club, ball or shaft: read from TOML, changed in part; each subclass is a frozen dataclass with ``sources``."""
+    """A club, ball or shaft, read from TOML; each subclass is a frozen dataclass with ``sources``."""
 
     SOURCE_GROUPS: ClassVar[Mapping[str, tuple[str, ...]]] = {}
-    """Words that stand for several fields under [sources]."""
+    """Names that stand for several fields under [sources]."""
     OTHER_KEYS: ClassVar[Mapping[str, Value]] = {}
-    """Keys of the file that another reader takes."""
+    """Keys of the file that are read elsewhere."""
 
     def __repr__(self) -> str:
         hand = ", left-handed" if getattr(self, "hand", 1) < 0 else ""
@@ -49,27 +49,27 @@ class EquipmentItem:
         return "\n".join(lines)
 
     def replace(self, **changes: Any) -> Self:
-        """Return it with fields changed, as text with a unit or an SI number: ``mass="200 g"``."""
+        """Return a copy with fields changed; values are text with a unit or SI numbers: ``mass="200 g"``."""
         return changed(self, changes)
 
     @classmethod
     def from_document(cls, document: Document) -> Self:
-        """Read what a TOML document describes."""
+        """Read the item described by a TOML document."""
         return decode(cls, document, others=cls.OTHER_KEYS)
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
-        """Read what a TOML file describes; see ``template`` for its form."""
+        """Read the item described by a TOML file; see ``template`` for its format."""
         return cls.from_document(Document.read(path))
 
     @classmethod
     def from_text(cls, text: str, path: str = "<text>") -> Self:
-        """Read what TOML text describes; ``path`` names it in errors."""
+        """Read the item described by TOML text; ``path`` names it in errors."""
         return cls.from_document(Document(text, path))
 
 
 def set_si(subject: Any) -> None:
-    """Check a new (frozen) object, turn its fields into SI, and freeze its sources, a line for each field."""
+    """Check a new frozen object, convert its fields to SI, and expand and freeze its sources."""
     if not isinstance(subject.sources, Mapping):
         raise InputError("sources", subject.sources, "a mapping of properties to texts")
     check_values(subject)
@@ -79,14 +79,14 @@ def set_si(subject: Any) -> None:
 
 
 def changed(subject: T, changes: Mapping[str, Any]) -> T:
-    """Return ``subject`` with some fields changed; a changed property loses its source."""
+    """Return a copy of ``subject`` with some fields changed; changed fields lose their source."""
     check_names("field", changes, [each.name for each in fields(subject)])  # pyright: ignore
     kept = {k: v for k, v in subject.sources.items() if k not in changes}  # pyright: ignore
     return replace(subject, **{"sources": kept, **changes})  # pyright: ignore
 
 
 def to_toml(subject: Any, leave_out: Collection[str] = ()) -> str:
-    """Write TOML text that reads back as ``subject``, bit by bit, though some fields follow from others."""
+    """Return TOML text that reads back exactly as ``subject``, even if some fields follow from others."""
     sources = dict(subject.sources)
     for group, names in subject.SOURCE_GROUPS.items():
         if names[0] in sources and all(sources.get(name) == sources[names[0]] for name in names):
@@ -96,13 +96,13 @@ def to_toml(subject: Any, leave_out: Collection[str] = ()) -> str:
 
 
 def template_lines(schema: type, values: Mapping[str, str]) -> list[str]:
-    """Return the keys of a file with their meaning, then an example of sources."""
-    return [*template(schema, values), "", "[sources]                   # where each value comes from",
+    """Return the commented keys of a file, then an example of sources."""
+    return [*template(schema, values), "", "[sources]                   # source of each value",
             '# mass = "weighed"', ""]  # fmt: skip
 
 
 def check_body(group: str, values: Mapping[str, float]) -> None:
-    """Refuse the inputs of a "club" or "ball" [SI] that no body can have."""
+    """Raise ShotError if inputs of a "club" or "ball" [SI] are physically impossible."""
     fault = check(group, [values.get(each["name"], 0.0) for each in inputs()])
     if fault is not None:
         name, message = fault

@@ -1,8 +1,8 @@
-"""The clubface as geometry: nearest point and point by its offsets, as in ``face.rs`` of the core.
+"""Geometry of the clubface: nearest point, and point by offsets, as in ``face.rs`` of the core.
 
 Face axes: origin at the face centre, x along the outward normal, y up the face, z towards the toe. The roll arc in the
-x-y plane is revolved about the axis parallel to y that lies the bulge radius behind the centre. All is written in
-curvatures, so that a plane is the torus of no curvature.
+x-y plane is revolved about an axis parallel to y, one bulge radius behind the centre. All formulas use curvatures, so
+that a plane is the special case of zero curvature.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ Array = NDArray[Any]
 
 
 def nearest(point: Any, bulge: float, roll: float) -> tuple[Array, Array]:
-    """Return how far points lie in front of the face [m] and the outward unit normal at their nearest face point.
+    """Return the distance of points in front of the face [m], and the outward unit normal at the nearest face point.
 
     Parameters
     ----------
     point
-        In face axes [m], shape (..., 3).
+        Points in face axes [m], shape (..., 3).
     bulge, roll
-        Radii of the face [m]; infinite is flat.
+        Radii of the face [m]; infinite if flat.
     """
     p = np.asarray(point, dtype=np.float64)
     x1, radial_x, radial_z = _circle(p[..., 0], p[..., 2], 1.0 / bulge)
@@ -41,7 +41,7 @@ def face_point(toe: Any, high: Any, bulge: float, roll: float) -> Array:
 
 
 def turn_to_sole(loft: float) -> Array:
-    """Return the rotation from face axes to those of the head as soled, by its static loft [rad]."""
+    """Return the rotation from face axes to the axes of the soled head, by the static loft [rad]."""
     sine, cosine = np.sin(loft), np.cos(loft)
     return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
 

@@ -1,4 +1,4 @@
-"""Models, clubs and balls as results: what there is, and one of them with the source of every value."""
+"""Models, clubs and balls as results: lists, and single items with the source of every value."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ PAPERS = {
     "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
 }
 LEAST_DIAMETER = 42.67e-3
-"""Of a ball of the rules [m]."""
+"""Minimum diameter of a conforming ball [m]."""
 
 
 def models_result() -> Result:
-    """Return the models of the registry with what they are and the laws they obey."""
+    """Return all models with a summary and the laws they obey."""
     every = list(models().values())
     listed = table(
         "models",
@@ -44,7 +44,7 @@ def models_result() -> Result:
 
 
 def model_result(name: str) -> Result:
-    """Return a model with its parameters, their published values, sources and caveats."""
+    """Return a model with its parameters, published values, sources and caveats."""
     shown = model(name)
     sets = builtin_sets(shown.name)
     parameters = shown.parameters
@@ -89,24 +89,24 @@ def model_result(name: str) -> Result:
 
 
 FEATURES = {
-    "speed": "normal approach speed over 40 m/s, less 0.75",
-    "friction": "three times what the coefficient of friction exceeds 0.3",
-    "slip": "share of the friction that rolling needs, from -0.5 (none) to 0.5 (the ball slides throughout)",
-    "mobility": "mass with which ball and head resist along the normal over that of the ball, less 0.8, times 5",
+    "speed": "normal approach speed over 40 m/s, minus 0.75",
+    "friction": "coefficient of friction minus 0.3, times three",
+    "slip": "share of friction needed for rolling, from -0.5 (none) to 0.5 (the ball slides throughout)",
+    "mobility": "effective mass of ball and head along the normal over the ball's mass, minus 0.8, times 5",
     "ratio": "mobility of the contact along the face over that along the normal, near 0 for clubs",
-    "coupling": "how far the normal impulse drives the contact along its own sliding (off centre)",
+    "coupling": "how strongly the normal impulse drives the contact along its sliding direction (off centre)",
     "face": "square of the characteristic time over 250 us",
-    "bend": "how much faster the normals approach at separation than at first touch, since a face curves and turns",
-    "offset": "how far the normal impulse drives the contact along the face in any direction",
+    "bend": "how much faster the normals approach at separation than at first touch, as the face curves and turns",
+    "offset": "how strongly the normal impulse drives the contact along the face in any direction",
 }
-"""What the response functions depend on, by the name that their terms have in parameters."""
+"""Features of the response functions, by their names in the parameters."""
 _FIRST = "_middle"
-"""Ending of the name of the constant term of a function."""
+"""Suffix of the constant term of a function."""
 _POWERS = {"2": "²", "3": "³"}
 
 
 def _functions(parameters: Sequence[Parameter]) -> dict[str, list[Parameter]]:
-    """Return the coefficients of each response function of a model, by its name; none where a model has none."""
+    """Return the coefficients of each response function of a model by name; empty for other models."""
     first = {each.meaning: each.name for each in parameters if each.name.endswith(_FIRST)}
     functions: dict[str, list[Parameter]] = {}
     for each in parameters:
@@ -116,7 +116,7 @@ def _functions(parameters: Sequence[Parameter]) -> dict[str, list[Parameter]]:
 
 
 def _formula(function: str, coefficients: Sequence[Parameter]) -> str:
-    """Return a sum of terms, such as "0.823 - 0.0786 speed + 0.0471 speed face"."""
+    """Return a function as a sum of terms, such as "0.823 - 0.0786 speed + 0.0471 speed face"."""
     written = ""
     for each in coefficients:
         features = each.name.removeprefix(f"{function}_").split("_")
@@ -173,13 +173,13 @@ def _set_notes(place: int, one: ParameterSet) -> list[Note]:
 
 
 def _papers(shown: Model) -> dict[str, str]:
-    """Return the papers that the model's texts call by a short name."""
+    """Return the titles of papers that the model's texts cite by short names."""
     texts = " ".join([shown.reference, *(f"{each.meaning} {each.source}" for each in shown.parameters)])
     return {short: title for short, title in PAPERS.items() if short in texts}
 
 
 def clubs_result() -> Result:
-    """Return the built-in clubs by kind, and the balls."""
+    """Return the built-in clubs by category, and the balls."""
     heads = sorted(map(club, CLUB_NAMES), key=lambda each: (each.name not in TOUR_CLUBS, each.loft))
     heads = [each for category in CATEGORIES for each in heads if each.category == category]
     with without_warnings():
@@ -243,7 +243,7 @@ def club_result(shown: Club | Ball) -> Result:
 
 
 def _is_known(shown: Club | Ball, name: str) -> bool:
-    """Return whether a value is given; a mesh gives by how much nobody has measured."""
+    """Return whether a value is given; for a mesh, flexibility of the face may be unknown."""
     if getattr(shown, name) is None:
         return False
     if not isinstance(shown, Club) or name != "characteristic_time" or not hasattr(shown, "head"):
@@ -252,7 +252,7 @@ def _is_known(shown: Club | Ball, name: str) -> bool:
 
 
 def _quantity_of(name: str, shown: Club | Ball) -> Quantity:
-    """Return a field as a quantity in the unit in which files of clubs and balls have it."""
+    """Return a field as a quantity in the unit used in files of clubs and balls."""
     field = (CLUB_PROPERTIES if isinstance(shown, Club) else BALL_PROPERTIES)[name]
     reading = Reading(field.unit, 4)
     return Quantity(name, SI_UNITS[field.dimension], reading, reading, name.replace("_", " "), meaning=field.meaning)

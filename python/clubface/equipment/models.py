@@ -1,4 +1,4 @@
-"""The impact models, as the core and further backends declare them: names, parameters, units, bounds, sources."""
+"""Impact models declared by the core and by further backends: names, parameters, units, bounds, sources."""
 
 from __future__ import annotations
 
@@ -15,39 +15,39 @@ from clubface.support.checks import Frozen
 
 PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
 DEFAULT_MODEL = "response"
-"""The model where none is named."""
+"""Name of the default model."""
 
 MODEL_KEYS = ("name", "title", "kind", "summary", "reference")
 
 
 MODULES = {"fem": "clubface.fem.backend"}
-"""The module of each model that something else than the compiled core of reduced models computes, by its name.
+"""Module of each model that is not one of the reduced models in the compiled core, by model name.
 
-It declares its model as ``MODEL`` and what computes it, a :class:`clubface.simulation.impact.Backend`, as ``BACKEND``,
-and is imported when the model is named.
+The module declares the model as ``MODEL`` and its :class:`clubface.simulation.impact.Backend` as ``BACKEND``; it is
+imported when the model is first used.
 """
 OWN: dict[str, SimpleNamespace] = {}
-"""``MODEL`` and ``BACKEND`` of each model that a user registered in this process, by the name of the model."""
+"""``MODEL`` and ``BACKEND`` of each model registered by the user in this process, by model name."""
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One parameter of a model.
+    """A parameter of a model.
 
     Attributes
     ----------
     name
-        As in files and in ``replace``.
+        Name in files and in ``replace``.
     unit
-        The SI unit its value is held in.
+        SI unit of its value.
     meaning
-        One line.
+        One-line meaning.
     default
-        The value used if none is given [SI].
+        Default value [SI].
     lower, upper
-        The values allowed, both included [SI].
+        Allowed values, both included [SI].
     source
-        Where the default and the bounds come from.
+        Source of the default and the bounds.
     """
 
     name: str
@@ -60,19 +60,19 @@ class Parameter:
 
 
 class ValidRange(NamedTuple):
-    """Bounds of one quantity within which a model is valid.
+    """Range of one quantity within which a model is valid.
 
     Attributes
     ----------
     name
-        An input of a shot, a parameter, or ``incidence``, the angle between the velocity of the clubhead and the normal
-        at the face centre.
+        An input of a shot, a parameter, or ``incidence``, the angle between clubhead velocity and the normal at the
+        face centre.
     label
-        What people call it.
+        Common name.
     reading
-        The unit in which they read it.
+        Unit in which it is commonly given.
     lower, upper
-        Its bounds [SI], both included.
+        Bounds, both included [SI].
     """
 
     name: str
@@ -84,37 +84,37 @@ class ValidRange(NamedTuple):
 
 @dataclass(frozen=True)
 class Model:
-    """One impact model.
+    """An impact model.
 
     Attributes
     ----------
     name
-        By which it is selected.
+        Name by which it is selected.
     title
-        The name for headings.
+        Title for headings.
     kind
         "impulse" (launch only) or "contact" (histories as well).
     summary
-        One sentence.
+        One-sentence summary.
     reference
-        The publication it follows.
+        Publication it follows.
     laws
-        The laws it obeys, of "momentum", "angular_momentum", "energy", "friction_cone".
+        Laws it obeys, among "momentum", "angular_momentum", "energy", "friction_cone".
     laws_without
-        The name of a parameter, and laws obeyed while it is zero; or None.
+        Name of a parameter, and further laws obeyed if it is zero; or None.
     parameters
-        In the order of the core's columns.
+        Parameters in the order of the core's columns.
     face_in
-        The parameter that holds the restitution, if its default was fitted to a driver and so includes the driver's
+        Parameter that holds the restitution, if its default was fitted to a driver and therefore includes the flexible
         face; None if the defaults describe the ball alone.
     lacks
-        The outputs that it does not compute.
+        Outputs that it does not compute.
     gear_effect
-        Whether a head that turns back turns the ball.
+        Whether a head that turns in the impact turns the ball.
     ball
-        The ball whose coefficients the defaults are; None if they are of no ball in particular.
+        Ball described by the default coefficients; None if no particular ball.
     valid
-        The strikes for which the defaults are valid.
+        Range of strikes for which the defaults are valid.
     """
 
     name: str
@@ -133,7 +133,7 @@ class Model:
 
     @property
     def laws_in_words(self) -> str:
-        """The laws it obeys, and those it obeys only while a parameter is zero."""
+        """Laws it obeys, and those it obeys only if a parameter is zero, in words."""
         always = _listed(self.laws)
         if self.laws_without is None:
             return always
@@ -149,7 +149,7 @@ class Model:
 
 
 def models() -> dict[str, Model]:
-    """Return all models by name, in the order of the registry; the dictionary is the caller's own."""
+    """Return all reduced models by name, in the order of the registry, in a new dictionary."""
     return dict(_registered())
 
 
@@ -175,7 +175,7 @@ def _registered() -> Mapping[str, Model]:
 
 
 def models_with(parameter: str) -> list[str]:
-    """Return the names of the models that have this parameter."""
+    """Return the names of the reduced models that have this parameter."""
     return [name for name, each in models().items() if any(parameter == one.name for one in each.parameters)]
 
 
@@ -185,12 +185,12 @@ def _listed(laws: tuple[str, ...]) -> str:
 
 @cache
 def further_models() -> Mapping[str, Model]:
-    """Return the models of the registered backends by name; they take long, so that "all" does not mean them."""
+    """Return the models of other backends by name; being slow, they are excluded from "all"."""
     return Frozen({name: import_module(module).MODEL for name, module in MODULES.items()})
 
 
 def model(name: str) -> Model:
-    """Return the model called ``name``; an unknown one is an error that names the nearest."""
+    """Return the model called ``name``; the error for an unknown name suggests the nearest."""
     if not isinstance(name, str):
         raise InputError("model", name, "one of " + ", ".join(models()))
     if name in _registered():
@@ -203,7 +203,7 @@ def model(name: str) -> Model:
 
 
 def model_names() -> tuple[str, ...]:
-    """Return the names of all models, those of further backends included."""
+    """Return the names of all models, including other backends."""
     return (*_registered(), *MODULES, *OWN)
 
 
@@ -213,7 +213,7 @@ def differentiable_model(name: str) -> Model:
 
 
 def reduced_model(name: str, wanted: str) -> Model:
-    """Return the reduced model called ``name``; for a model of another backend the error says what was ``wanted``."""
+    """Return the reduced model called ``name``; raise InputError, which says what is ``wanted``, for other models."""
     if isinstance(name, str) and (name in MODULES or name in OWN):
         raise InputError("model", name, f"{wanted}: {', '.join(models())}")
     return model(name)

@@ -1,7 +1,7 @@
-"""Parameter sets of the models, published ones and your own: values, their bounds and files, and the range they cover.
+"""Parameter sets of the models, published or your own: values, bounds, files, and the range they cover.
 
-There is one file for each source. It holds one or more ``[[set]]``, each with the model and club that it was fitted to,
-its values with units, and their caveats::
+Each file holds the sets of one source as ``[[set]]`` tables, each with the model and club that it was fitted to, its
+values with units, and caveats::
 
     title = "My range session"
     reference = "42 drives, June"
@@ -17,7 +17,7 @@ its values with units, and their caveats::
     [set.value_caveats]
     stiffness = "not identifiable from launch data"
 
-Outside the range of a model or a parameter set, its error is not known.
+Outside the range of a model or parameter set, its error is unknown.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ def _dimension(parameter: Parameter) -> str:
 
 
 def parsed(value: Any, parameter: Parameter) -> Any:
-    """Return a value, which may be an array, in SI."""
+    """Return a value, or array of values, in SI."""
     return units.parse_values(value, _dimension(parameter), name=parameter.name)
 
 
 def checked(value: Any, parameter: Parameter) -> Any:
-    """Return ``value`` as float or float64 array, refused where it is outside the bounds of ``parameter``."""
+    """Return ``value`` as float or float64 array; raise InputError outside the bounds of ``parameter``."""
     value = parsed(value, parameter)
     low = value if isinstance(value, float) else value.min(initial=parameter.upper)
     high = value if isinstance(value, float) else value.max(initial=parameter.lower)
@@ -65,46 +65,46 @@ def checked(value: Any, parameter: Parameter) -> Any:
 
 @dataclass(frozen=True)
 class ParameterValue(Value):
-    """The kind of a single value of a parameter of a model."""
+    """Type of a single value of a model parameter."""
 
     parameter: Parameter
 
     def read(self, given: Any, place: Place) -> float:
-        """Return the value [SI], within its bounds."""
+        """Read a value [SI] and check its bounds."""
         return checked(units.parse(given, _dimension(self.parameter), name=self.parameter.name), self.parameter)
 
     def json(self) -> dict[str, Any]:
-        """Return text or a number."""
+        """Return the JSON schema: text or a number."""
         return PhysicalValue(self.parameter.unit).json()
 
     def words(self) -> str:
-        """Return the bounds with the unit."""
+        """Describe the bounds with their unit."""
         return PhysicalValue(self.parameter.unit, self.parameter.lower, self.parameter.upper).words()
 
 
 Range = Mapping[str, tuple[float, float]]
-"""Least and greatest value [SI] by quantity."""
+"""Minimum and maximum value [SI] by quantity."""
 
 
 class Bounded(NamedTuple):
-    """A quantity of a strike: in words, and the unit people read it in."""
+    """A quantity that may have a range: its name in words, and its common unit."""
 
     words: str
     unit: str
 
 
 QUANTITIES = {each.name: Bounded(each.label, each.reading) for declared in models().values() for each in declared.valid}
-"""What a range can be of: inputs of a shot, ``friction`` of the model's parameters, and ``incidence``, the angle
-between the velocity of the clubhead and the normal at the face centre."""
+"""Quantities that a range may refer to: inputs of a shot, the parameter ``friction``, and ``incidence``, the angle
+between clubhead velocity and the normal at the face centre."""
 
 RANGES: Mapping[str, Range] = Frozen({
     name: Frozen({each.name: (each.lower, each.upper) for each in declared.valid})
     for name, declared in models().items()
     if declared.valid
 })  # fmt: skip
-"""Ranges by model: the strikes from which its parameters come for every ball. The strikes by finite elements to which
-``response`` is fitted are made from its range. Places on the face are not bounded: off centre a head gives way more
-easily, and the small heads among the strikes do so as much as the built-in clubs 30 mm off the face centre."""
+"""Ranges by model: the strikes from which its parameters were derived, for every ball. The finite element strikes to
+which ``response`` is fitted were generated from its range. Positions on the face are not limited: a head gives way more
+easily off centre, but the small heads among the strikes do so as much as built-in clubs 30 mm off the face centre."""
 
 
 RANGE = Record(
@@ -113,16 +113,16 @@ RANGE = Record(
         for name, each in QUANTITIES.items()
     }
 )
-"""The kind of a table of ranges."""
+"""Type of a table of ranges."""
 
 
 def in_words(limits: Range) -> str:
-    """Return a range in words: "clubhead speed 101 to 118 mph"."""
+    """Describe a range: "clubhead speed 101 to 118 mph"."""
     return ", ".join(f"{QUANTITIES[name].words} {ends_in_words(name, limits)}" for name in limits)
 
 
 def ends_in_words(name: str, limits: Range) -> str:
-    """Return the ends of one quantity of a range: "101 to 118 mph"."""
+    """Describe the limits of one quantity in a range: "101 to 118 mph"."""
     least, most = limits[name]
     return f"{units.show(least, QUANTITIES[name].unit, 4).split()[0]} to {units.show(most, QUANTITIES[name].unit, 4)}"
 
@@ -131,7 +131,7 @@ FAMILIES = ("driver", "7-iron", "any")
 
 
 def _made_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
-    """Return what a table [[set]] holds, whose values are those of its model."""
+    """Return the contents of a table [[set]], with values checked for its model."""
     kinds = {each.name: ParameterValue(each) for each in model(given["model"]).parameters}
     given["values"] = Record(kinds, kinds).read(given["values"], place.key("values"))
     caveats = Record(dict.fromkeys(kinds, TEXT))
@@ -159,11 +159,11 @@ SET = Record(
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterFile:
-    """A file of sets of parameters."""
+    """A file of parameter sets."""
 
     title: str = file_key(TEXT, "name of the source")
-    reference: str = file_key(TEXT, "the publication, or where the values are from")
-    set: tuple[Mapping[str, Any], ...] = file_key(Tables(SET, least=1), "the sets, each with its model and club")
+    reference: str = file_key(TEXT, "the publication, or the origin of the values")
+    set: tuple[Mapping[str, Any], ...] = file_key(Tables(SET, least=1), "parameter sets, each with its model and club")
 
     def __post_init__(self) -> None:
         check_values(self)
@@ -171,43 +171,43 @@ class ParameterFile:
 
 T = TypeVar("T")
 _MOST_NAMES = 5
-"""How many names of values are listed one by one."""
+"""Maximum number of changed values that are listed by name."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterSet:
-    """Values of all parameters of one model.
+    """Values of all parameters of a model.
 
     Attributes
     ----------
     model
         Name of the model.
     club
-        The family of clubs they were found for: "driver", "7-iron" or "any".
+        Family of clubs they were found for: "driver", "7-iron" or "any".
     name
-        Name of the set: the source, with a variant after a slash where it has several.
+        Name of the set: the source, followed by a slash and a variant if there are several.
     values
-        Value of every parameter, SI; an array where a batch varies it.
+        Value of every parameter [SI]; an array if it varies over a batch.
     source
-        Where in the publication the values stand.
+        Location of the values in the publication.
     reference
         The publication.
     caveats
         Caveats of the set, shown with every result.
     value_caveats
-        The same for single parameters, by name.
+        Caveats of single parameters, by name.
     default
-        Whether this is the set used where none is named.
+        Whether this is the default set.
     includes_face
-        Whether the values describe ball and face together, as all do that were found from shots of a club: its
-        characteristic time must not count twice, see :meth:`with_included_face`. False if they describe the ball
-        alone. The sets of finite elements never include the face.
+        Whether the values describe ball and face together, as all values found from shots with a club do; the club's
+        characteristic time must then not count twice, see :meth:`with_included_face`. False if they describe the ball
+        alone. Sets for finite elements never include the face.
     characteristic_time
-        That of the face which the values include [s]; None if it is not known, or if they include no face.
+        Characteristic time of the included face [s]; None if unknown or if no face is included.
     range
-        The strikes that the values were made for; that of the model unless given.
+        Range of strikes for which the values were made; default: the model's.
     unchosen
-        The parameters left at their defaults, for which a ball may have its own values.
+        Parameters left at their defaults, for which a ball may have its own values.
     """
 
     model: str
@@ -244,7 +244,7 @@ class ParameterSet:
         object.__setattr__(self, "characteristic_time", self._included())
 
     def _included(self) -> float | None:
-        """Return the characteristic time of the face that the values include, checked."""
+        """Return the characteristic time of the included face, checked."""
         if self.characteristic_time is None or not self.includes_face:
             return None
         time = units.parse(self.characteristic_time, "time", name="characteristic_time")
@@ -255,15 +255,15 @@ class ParameterSet:
 
     @property
     def units(self) -> dict[str, str]:
-        """The SI unit of each value."""
+        """SI unit of each value."""
         return {each.name: each.unit for each in model(self.model).parameters}
 
     def with_included_face(self, club: Mapping[str, T]) -> dict[str, T | float]:
-        """Return the inputs of a club as the core takes them together with these parameters.
+        """Return the inputs of a club in the core's format, adapted to these parameters.
 
-        Models use how much more the club's face gives than the face that the values include. If the characteristic time
-        of the latter is not known, it is taken to be that of the club. A club whose characteristic time is 0, as it is
-        where a file gives none, is taken to have the included face.
+        Models use the flexibility of the club's face beyond that included in the values. If the included characteristic
+        time is unknown, it is assumed to be the club's. A club with a characteristic time of 0, the default in a file,
+        is assumed to have the included face.
         """
         if not self.includes_face:
             return {**club, "included_time": 0.0}
@@ -277,11 +277,11 @@ class ParameterSet:
         return {**club, "characteristic_time": own, "included_time": self.characteristic_time}
 
     def columns(self) -> list[NumberOrArray]:
-        """Return the values in the order of the registry, as the core takes them."""
+        """Return the values in the order of the registry, for the core."""
         return list(self.values.values())
 
     def replace(self, **changes: ValueLike) -> Self:
-        """Return the set with values changed, each text with a unit, an SI number or an array: ``friction="0.4"``."""
+        """Return a copy with values changed: text with a unit, SI numbers or arrays, as in ``friction="0.4"``."""
         declared: Model = model(self.model)
         new = {key: parsed(value, declared.parameter(key)) for key, value in changes.items()}
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
@@ -296,11 +296,11 @@ class ParameterSet:
         )
 
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
-        """Return the set with the values of the ball called ``name`` for the parameters left at their defaults."""
+        """Return the set with values of the ball ``name`` in place of parameters left at their defaults."""
         own = {key: value for key, value in values.items() if key in self.unchosen}
         if not own:
             return self
-        # The face is in one of the values: with that of the ball it is out.
+        # The face is included in one parameter; if the ball gives that one, the face is no longer included.
         includes_face = self.includes_face and model(self.model).face_in not in own
         if own.items() <= self.values.items():
             return replace(self, includes_face=includes_face)
@@ -310,7 +310,7 @@ class ParameterSet:
 
     @classmethod
     def defaults(cls, model_name: str, club: str = "any") -> Self:
-        """Return the defaults of the registry, with the face of the published set for a driver if they include it."""
+        """Return the registry defaults, with the face of the published driver set if they include it."""
         declared = model(model_name)
         values = {each.name: each.default for each in declared.parameters}
         includes_face = declared.face_in is not None or model_name in OWN
@@ -327,7 +327,7 @@ class ParameterSet:
 
     @classmethod
     def builtin(cls, model_name: str, club: str, name: str | None = None) -> ParameterSet:
-        """Return the default published set of a model and family of clubs, or the one called ``name``."""
+        """Return the default published set for a model and family of clubs, or the set called ``name``."""
         check_choice("club", club, FAMILIES)
         fitting = [each for each in builtin_sets(model_name) if club in (each.club, "any") or each.club == "any"]
         if name is None:
@@ -344,12 +344,12 @@ class ParameterSet:
     def from_toml(
         cls, path: str | os.PathLike[str], *, model: str | None = None, club: str | None = None
     ) -> ParameterSet:
-        """Read the set in a file; where it holds several, ``model`` and ``club`` choose one."""
+        """Read the set in a file; if there are several, ``model`` and ``club`` select one."""
         document = Document.read(path)
         return _choose(read_sets(document), document, model, club)
 
     def to_toml(self) -> str:
-        """Write the set, whose values must be scalars, as TOML that :meth:`from_toml` reads back exactly."""
+        """Return the set as TOML that :meth:`from_toml` reads back exactly; values must be scalars."""
         for key, value in self.values.items():
             if not isinstance(value, float):
                 raise InputError(key, value, "a single number to be written to a file")
@@ -369,7 +369,7 @@ class ParameterSet:
 
 @cache
 def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
-    """Return the published sets (of one model), those used by default first."""
+    """Return the published sets, optionally of one model, default sets first."""
     if model_name is not None:
         model(model_name)
         return tuple(each for each in builtin_sets() if each.model == model_name)
@@ -382,7 +382,7 @@ def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
 
 
 def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:
-    """Read all sets of a document; ``name`` (else the title) names them."""
+    """Read all sets of a document; they are named by ``name``, or else its title."""
     file = decode(ParameterFile, document)
     sets = []
     for index, given in enumerate(file.set):
@@ -400,5 +400,5 @@ def _choose(sets: list[ParameterSet], document: Document, model_name: str | None
     if len(fitting) == 1:
         return fitting[0]
     held = "; ".join(f"{each.model} for {each.club}" for each in sets)
-    message = f"{'no' if not fitting else 'more than one'} set fits; the file holds: {held}"
+    message = f"{'no' if not fitting else 'more than one'} set fits; the file contains: {held}"
     raise FileError(document.path, None, message)

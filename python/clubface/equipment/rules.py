@@ -1,4 +1,4 @@
-"""The rules of golf for a clubhead: the published limits, and the verdict on a value."""
+"""Rules of golf for clubheads: published limits, and verdicts on values."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from clubface.equipment.clubs import Club, club as club_of
 from clubface.support.checks import Frozen
 
 STEEPEST_PENDULUM_LOFT = units.to_si(35.0, "deg")
-"""The spring effect is tested by pendulum up to this loft; R&A (2016), Spring effect and dynamic properties."""
+"""Maximum loft for the pendulum test of the spring effect; R&A (2016), Spring effect and dynamic properties."""
 
 NOT_KNOWN = "not known"
-"""The verdict on a value that is not given."""
+"""Verdict on an unknown value."""
 
 
 class Rule(NamedTuple):
-    """One limit of the rules.
+    """A limit in the rules.
 
     Attributes
     ----------
     name
-        What is limited: ``moment_of_inertia``, ``characteristic_time``, ``volume``, ``heel_to_toe`` or
+        Limited quantity: ``moment_of_inertia``, ``characteristic_time``, ``volume``, ``heel_to_toe`` or
         ``sole_to_crown``.
     title
-        The limit in words.
+        Quantity in words.
     most
-        The limit [SI].
+        Limit [SI].
     tolerance
-        What a measurement may exceed it by [SI].
+        Measurement tolerance above the limit [SI].
     unit
-        The unit it was printed in.
+        Unit in the publication.
     source
-        Who published it, when and where.
+        Publisher, date and location.
     """
 
     name: str
@@ -52,16 +52,16 @@ class Rule(NamedTuple):
 
 
 class RuleVerdict(NamedTuple):
-    """A club judged by one limit.
+    """Verdict on a club for one limit.
 
     Attributes
     ----------
     rule
         The limit.
     value
-        The limited quantity of the club [SI]; NaN if it is not known.
+        Value for the club [SI]; NaN if unknown.
     unknown
-        The verdict if it is not known.
+        Verdict if the value is unknown.
     """
 
     rule: Rule
@@ -70,17 +70,17 @@ class RuleVerdict(NamedTuple):
 
     @property
     def conforms(self) -> bool | None:
-        """Whether it is within the limit and its tolerance, but for rounding; None where the value is not known."""
+        """Whether the value is within limit and tolerance, apart from rounding; None if unknown."""
         return None if math.isnan(self.value) else self.value <= self.rule.limit * (1.0 + 1e-9)
 
     @property
     def within_tolerance(self) -> bool:
-        """Whether it conforms by the tolerance alone."""
+        """Whether the value conforms only within the tolerance."""
         return bool(self.conforms) and self.value > self.rule.most
 
     @property
     def words(self) -> str:
-        """The verdict: "conforms", "conforms within the tolerance", "does not conform", or why it is not known."""
+        """Verdict: "conforms", "conforms within the tolerance", "does not conform", or why it is unknown."""
         if self.conforms is None:
             return self.unknown
         if not self.conforms:
@@ -95,7 +95,7 @@ _PLACES = {
     "heel_to_toe": ("head-dimension-limits", "heel_to_toe_most", None),
     "sole_to_crown": ("head-dimension-limits", "sole_to_crown_most", None),
 }
-"""Table, column and column of the tolerance of each limit among the published measurements."""
+"""Table, column and tolerance column of each limit in the published data."""
 
 _TITLES = {
     "moment_of_inertia": "moment of inertia, vertical axis",
@@ -120,7 +120,7 @@ def rules() -> Mapping[str, Rule]:
 
 
 def rules_of(club: str | Club) -> tuple[Rule, ...]:
-    """Return the limits that hold for a club: size and inertia are limited for woods, and the face up to 35 degrees."""
+    """Return the limits for a club: size and inertia for woods, characteristic time for lofts up to 35 degrees."""
     head = club_of(club)
     wood = ("moment_of_inertia", "volume", "heel_to_toe", "sole_to_crown") if head.kind != "iron" else ()
     face = ("characteristic_time",) if head.loft <= STEEPEST_PENDULUM_LOFT else ()

@@ -1,4 +1,4 @@
-"""Shafts: from TOML, from code or built in, and what they add to the inertia of a head while it meets the ball."""
+"""Shafts: built in, from TOML or from code, and the inertia they add to a head during impact."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from clubface.support.files import builtin_names, builtin_path, is_path
 FOLDER = "shafts"
 MILLIMETRES = PhysicalValue("mm")
 CONTACT_TIMES = 50e-6, 2e-3
-"""Limits [s]."""
+"""Limits of the contact time [s]."""
 FEWEST, MOST = 2, 200
 STATIONS = f"a list of {FEWEST} to {MOST} values, one for each station"
 
@@ -35,7 +35,7 @@ POSITIVE = _list(PhysicalValue("1", above=0))
 
 
 class Head(Protocol):
-    """What a shaft needs of a club."""
+    """Club properties needed by a shaft."""
 
     @property
     def mass(self) -> float:
@@ -55,37 +55,37 @@ class Head(Protocol):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Shaft(EquipmentItem):
-    """A shaft as a beam, SI and radians, on a right-handed club, in the axes of :class:`clubface.Club`.
+    """A shaft as a beam on a right-handed club, in SI units and the axes of :class:`clubface.Club`.
 
-    Each list has a value for every station from the tip, where the shaft leaves the hosel, to the butt; between
-    stations it is linear.
+    Each list has one value per station, from the tip, where the shaft leaves the hosel, to the butt; values are linear
+    between stations.
 
     Attributes
     ----------
     name, description
-        For tables and lists.
+        Name and description for tables and lists.
     position
-        Of the stations from the tip [m]; the first is 0, the last the length.
+        Distances of the stations from the tip [m]; the first is 0, the last the length.
     mass_per_length
-        [kg/m].
+        Mass per length [kg/m].
     bending_stiffness, torsional_stiffness
         EI and GJ [N m2].
     diameter
-        Of the middle of the wall [m], from which rotary inertia follows.
+        Mean diameter of the wall [m], which determines rotary inertia.
     axial_stiffness
-        EA [N]; left out, that of a tube of one material, 8 EI / diameter².
+        EA [N]; default 8 EI / diameter², a tube of one material.
     hosel_x, hosel_y, hosel_z
-        From the face centre to the tip [m].
+        Vector from the face centre to the tip [m].
     lie
         Angle between shaft and ground at address [rad]; the shaft leans away from the toe.
     grip
-        "free", "pinned" or "clamped": how the hands hold the butt.
+        How the hands hold the butt: "free", "pinned" or "clamped".
     grip_stiffness
-        With which they hold a pinned butt against rotation [N m/rad].
+        Rotational stiffness of a pinned butt [N m/rad].
     grip_mass
-        Of grip and hands, at the butt [kg].
+        Mass of grip and hands at the butt [kg].
     sources
-        Where each value comes from, by field.
+        Source of each value, by field.
     """
 
     SOURCE_GROUPS: ClassVar = {"hosel": ("hosel_x", "hosel_y", "hosel_z")}
@@ -93,56 +93,56 @@ class Shaft(EquipmentItem):
         "position", "mass_per_length", "bending_stiffness", "torsional_stiffness", "diameter", "axial_stiffness",
     )  # fmt: skip
 
-    name: str = file_key(NAME, "name in tables")
-    description: str = file_key(TEXT, "a sentence for lists", default="")
+    name: str = file_key(NAME, "name shown in tables")
+    description: str = file_key(TEXT, "one sentence for lists", default="")
     position: tuple[float, ...] = file_key(
         _list(MILLIMETRES), "stations from the tip to the butt", example='["0 mm", "525 mm", "1050 mm"]'
     )
     mass_per_length: tuple[float, ...] = file_key(
-        POSITIVE, "kg/m, as each list a value for every station", example="[0.064, 0.059, 0.054]"
+        POSITIVE, "kg/m; each list has one value per station", example="[0.064, 0.059, 0.054]"
     )
     bending_stiffness: tuple[float, ...] = file_key(POSITIVE, "EI, N m2", example="[22.0, 43.5, 65.0]")
     torsional_stiffness: tuple[float, ...] = file_key(POSITIVE, "GJ, N m2", example="[10.0, 22.0, 34.0]")
     diameter: tuple[float, ...] = file_key(
-        _list(PhysicalValue("mm", above=0)), "of the middle of the wall", example='["7 mm", "10.6 mm", "14.2 mm"]'
+        _list(PhysicalValue("mm", above=0)), "mean diameter of the wall", example='["7 mm", "10.6 mm", "14.2 mm"]'
     )
     axial_stiffness: tuple[float, ...] = file_key(
-        Items(PhysicalValue("1", above=0), 0, MOST, STATIONS), "EA, N; a tube of one material if left out",
+        Items(PhysicalValue("1", above=0), 0, MOST, STATIONS), "EA, N; default: a tube of one material",
         default=(),
     )  # fmt: skip
     hosel_x: float = file_key(MILLIMETRES, "from the face centre to the tip, towards the target", example="-15 mm")
-    hosel_y: float = file_key(MILLIMETRES, "the same, up", example="30 mm")
-    hosel_z: float = file_key(MILLIMETRES, "the same, towards the toe", example="-57 mm")
-    lie: float = file_key(PhysicalValue("deg", 0, 90), "between shaft and ground at address", example="58 deg")
+    hosel_y: float = file_key(MILLIMETRES, "from the face centre to the tip, upwards", example="30 mm")
+    hosel_z: float = file_key(MILLIMETRES, "from the face centre to the tip, towards the toe", example="-57 mm")
+    lie: float = file_key(PhysicalValue("deg", 0, 90), "angle between shaft and ground at address", example="58 deg")
     grip: str = file_key(Choice(GRIPS), "how the hands hold the butt", default="free")
     grip_stiffness: float = file_key(
         PhysicalValue("1", lower=0), "rotational stiffness of a pinned butt, N m/rad", example="0.0", default=0.0
     )
-    grip_mass: float = file_key(PhysicalValue("g", lower=0), "of grip and hands", example="50 g", default=0.0)
+    grip_mass: float = file_key(PhysicalValue("g", lower=0), "mass of grip and hands", example="50 g", default=0.0)
     sources: Mapping[str, str] = file_key(
-        sources_of(lambda: Shaft, *LISTS), "where each value comes from", default_factory=dict, hash=False
+        sources_of(lambda: Shaft, *LISTS), "source of each value", default_factory=dict, hash=False
     )
 
     def __post_init__(self) -> None:
         set_si(self)
         if self.position[0] != 0.0 or any(np.diff(self.position) <= 0.0):
             shown = ", ".join(units.show(each, "mm") for each in self.position)
-            raise InputError("position", shown, "0 mm at the tip, and every station farther than the one before")
+            raise InputError("position", shown, "0 mm at the tip, then increasing")
         for name in self.LISTS[1:]:
             count = len(getattr(self, name))
             if count != len(self.position) and not (name == "axial_stiffness" and not count):
                 raise InputError(name, f"{count} values", f"{len(self.position)}, one for each station in position")
         if self.grip_stiffness and self.grip != "pinned":
-            raise InputError("grip_stiffness", self.grip_stiffness, 'left out, or grip = "pinned"')
+            raise InputError("grip_stiffness", self.grip_stiffness, 'left out, unless grip = "pinned"')
 
     @property
     def length(self) -> float:
-        """From where it leaves the hosel to the butt [m]."""
+        """Length from the hosel to the butt [m]."""
         return self.position[-1]
 
     @property
     def mass(self) -> float:
-        """Without the grip [kg]."""
+        """Mass without the grip [kg]."""
         each = np.array(self.mass_per_length)
         return float(0.5 * (each[1:] + each[:-1]) @ np.diff(self.position))
 
@@ -153,11 +153,11 @@ class Shaft(EquipmentItem):
 
     @property
     def axis(self) -> tuple[float, float, float]:
-        """Direction from tip to butt."""
+        """Unit vector from tip to butt."""
         return 0.0, math.sin(self.lie), -math.cos(self.lie)
 
     def beam(self) -> Beam:
-        """Return the beam that it is."""
+        """Return the shaft as a beam."""
         mass, bending, torsion, diameter = (
             np.array(each)
             for each in (self.mass_per_length, self.bending_stiffness, self.torsional_stiffness, self.diameter)
@@ -169,35 +169,35 @@ class Shaft(EquipmentItem):
         )  # fmt: skip
 
     def modes(self, club: Head) -> Modes:
-        """Return the modes of a head on the shaft, in the axes of the club."""
+        """Return the vibration modes of a head on the shaft, in the axes of the club."""
         tip = np.array(club.cg) + np.array(self.hosel)
         return modes(self.beam(), _inertia(club), tip, np.array(self.axis))
 
     def added_inertia(
         self, club: Head, *, contact_time: float | str = CONTACT_TIME, matching: str = MATCHINGS[0]
     ) -> tuple[tuple[float, ...], ...]:
-        """Return what the shaft adds to the inertia of a head while it meets a ball, as :class:`clubface.Club` has it.
+        """Return the inertia that the shaft adds to a head during impact, for :class:`clubface.Club`.
 
         Parameters
         ----------
         club
             The head.
         contact_time
-            Length of the half sine of force that stands for the contact [s], or text with a unit.
+            Length of the half-sine force that represents the contact [s], or text with a unit.
         matching
-            "motion": the head moves with it as on the shaft, when the force ends. "work": the force does the same work.
-            No matrix does both, since the shaft goes on vibrating.
+            "motion": the head moves as on the shaft when the force ends. "work": the force does the same work. No
+            matrix does both, since the shaft goes on vibrating.
 
         Returns
         -------
         tuple
-            Symmetric, positive semidefinite, shape (6, 6) [kg, kg m, kg m2].
+            Symmetric positive semidefinite matrix, shape (6, 6) [kg, kg m, kg m2].
 
         Raises
         ------
         InputError
-            The contact time is outside 50 us to 2 ms, or so long that waves return from the hands and no matrix moves
-            as the head does.
+            The contact time is outside 50 us to 2 ms, or so long that waves return from the hands and no matrix
+            reproduces the head's motion.
         """
         check_choice("matching", matching, MATCHINGS)
         time = units.parse(contact_time, "time", name="contact_time")
@@ -212,21 +212,21 @@ class Shaft(EquipmentItem):
         return tuple(tuple(float(each) for each in row) for row in added)
 
     def to_toml(self) -> str:
-        """Write the shaft as TOML text, which :meth:`from_text` reads back exactly."""
+        """Return the shaft as TOML text that :meth:`from_text` reads back exactly."""
         return to_toml(self)
 
     @classmethod
     def builtin(cls, name: str) -> Shaft:
-        """Return a shaft that comes with the package: ``"graphite"`` of a driver or ``"steel"`` of an iron."""
+        """Return a built-in shaft: ``"graphite"`` (driver) or ``"steel"`` (iron)."""
         return cls.from_toml(builtin_path("shaft", name, FOLDER))
 
     @staticmethod
     def template(name: str = "my-shaft") -> str:
-        """Return TOML text to start your own shaft from, every key explained."""
+        """Return a commented TOML template for your own shaft."""
         check_name(name)
         head = [
             "# A shaft on a right-handed club. Axes: x to the target, y up, z towards the toe.",
-            "# A value is text with a unit; a bare number is SI (kg/m, N m2, N).",
+            "# Values are text with a unit, or SI numbers (kg/m, N m2, N).",
         ]
         return "\n".join([*head, *template(Shaft, {"name": quoted(name), "description": '""'}), ""])
 
@@ -236,12 +236,12 @@ def _inertia(club: Head) -> Any:
 
 
 def shaft(shaft_or_name: str | os.PathLike[str] | Shaft) -> Shaft:
-    """Return the shaft meant by a built-in name, by the path of a TOML file, or by a :class:`Shaft` itself."""
+    """Return a shaft: a built-in one by name, one from a TOML file, or ``shaft_or_name`` itself."""
     if isinstance(shaft_or_name, Shaft):
         return shaft_or_name
     return Shaft.from_toml(shaft_or_name) if is_path(shaft_or_name) else Shaft.builtin(str(shaft_or_name))
 
 
 def shaft_names() -> tuple[str, ...]:
-    """List the built-in shafts."""
+    """Return the names of the built-in shafts."""
     return builtin_names(FOLDER)
