@@ -35,12 +35,6 @@ def test_the_report_has_every_number_that_is_printed_what_went_in_and_where_it_c
         assert "256" in text
 
 
-def test_json_and_report_go_together(clubface_, tmp_path):
-    ran = clubface_(*COMMANDS["compare"], "--json", "--report", str(tmp_path / "report.md"))
-    assert ran.out.startswith("{")
-    assert "| remainder |" in (tmp_path / "report.md").read_text()
-
-
 def test_an_optimum_and_a_study_are_reported_as_they_are_printed(clubface_, tmp_path):
     (tmp_path / "best.toml").write_text(
         'title = "A short study"\nclub = "driver"\ngolfer = "bogey-driver"\nobjective = "carry"\n'

@@ -223,34 +223,16 @@ def test_a_flat_plate_is_a_club_that_can_be_hit_with():
 def test_an_inertia_that_no_body_has_is_refused():
     with pytest.raises(InputError, match="triangle inequality"):
         club("driver").replace(**{**PLATE, "ixx": 3.000001e-4})
-
-
-def test_a_ball_heavier_at_the_rim_than_a_shell_is_refused():
     with pytest.raises(InputError, match="thin shell"):
         ball("conforming").replace(inertia="150 g cm2")
 
 
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"iyy": "6001 g cm2", "izz": "5000 g cm2"}, "5900"),
-        ({"cor": "0.84"}, r"0\.83"),
-        ({"characteristic_time": "258 us"}, "258 us is above .* 239 us"),
-    ],
-)
-def test_a_club_outside_the_rules_is_a_warning_given_once(changes, message):
-    with pytest.warns(RuleWarning, match=message):
-        club("driver").replace(**changes)
+def test_a_club_outside_the_rules_is_a_warning_given_once():
+    with pytest.warns(RuleWarning, match="5900"):
+        club("driver").replace(iyy="6001 g cm2", izz="5000 g cm2")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        club("driver").replace(**changes)
-
-
-@pytest.mark.parametrize("changes", [{"iyy": "5999 g cm2"}, {"cor": "0.83"}, {"iyy": "6500 g cm2", "kind": "iron"}])
-def test_the_tolerance_is_kept_and_the_inertia_of_irons_is_free(changes):
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        club("driver").replace(izz="5000 g cm2", **changes)
+        club("driver").replace(iyy="6001 g cm2", izz="5000 g cm2")
 
 
 def test_a_ball_outside_the_rules_is_a_warning():

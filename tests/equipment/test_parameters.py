@@ -189,12 +189,6 @@ def test_a_published_set_reads_back_as_it_was_written(write, key):
     assert (read.caveats, read.value_caveats) == (written.caveats, written.value_caveats)
 
 
-@given(st.floats(0.0, 1.0), st.floats(-0.02, 0.0))
-def test_any_standard_set_reads_back_bit_by_bit(cor, slope):
-    subject = ParameterSet(model="standard", club="any", name="a", values={"cor": cor, "cor_slope": slope})
-    assert parameters.read_sets(Document(subject.to_toml()))[0].values == subject.values
-
-
 OWN = """title = "My session"
 reference = "42 drives"
 

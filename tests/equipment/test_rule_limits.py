@@ -36,6 +36,10 @@ def test_a_club_is_warned_of_from_beyond_the_limit_on(name, most, beyond, words)
     assert re.search(words, text)
 
 
+def test_the_inertia_of_irons_is_free():
+    assert rule_warnings(iyy="6500 g cm2", izz="5000 g cm2", kind="iron") == []
+
+
 def test_the_limits_of_a_ball_are_those_in_ounces_and_inches():
     """1.620 ounces avoirdupois and 1.680 inches, which the rules also give as 45.93 g and 42.67 mm."""
     limits = {"mass": BALL_MASS_LIMIT, "diameter": BALL_DIAMETER_LIMIT}

@@ -24,19 +24,13 @@ def mass(club, *, ball=None):
     return club, ball
 
 
-def test_an_argument_by_its_old_name_arrives_and_draws_a_warning_that_has_the_new_one():
+def test_an_argument_by_its_old_name_arrives_with_a_warning_and_not_beside_the_new_one():
     with pytest.warns(DeprecationWarning, match="'which' of mass.. is called 'ball' now") as caught:
         assert mass("driver", which="modern") == ("driver", "modern")
     assert caught[0].filename == __file__
-
-
-def test_the_new_name_draws_no_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert mass("driver", ball="modern") == ("driver", "modern")
-
-
-def test_both_names_at_once_are_refused():
     with pytest.raises(TypeError, match="'ball' twice"):
         mass("driver", which="modern", ball="distance")
 

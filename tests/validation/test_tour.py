@@ -57,9 +57,13 @@ def test_every_table_has_its_own_rows_and_source(table, row):
     assert notes(result)["published-table"]["source"] == result.table.source
 
 
-def test_a_table_that_is_not_there_is_an_error_that_names_the_nearest():
+def test_an_unknown_table_or_model_names_the_nearest():
     with pytest.raises(UnknownNameError, match="did you mean pga-2019"):
         job.tour(["standard"], table="pga-2018")
+    with pytest.raises(UnknownNameError, match="did you mean standard"):
+        job.tour(["standart"])
+    with pytest.raises(InputError):
+        job.tour([])
 
 
 def test_a_club_without_a_head_is_left_out_and_noted():
@@ -226,13 +230,6 @@ def test_the_driver_carries_what_is_published_from_its_published_launch(result):
     # 6 %: the mean error of the aerodynamic fit is 2.5 m, and the published averages are of many different launches.
     carry = result.carry_of_published[0]
     assert carry == pytest.approx(units.parse("275 yd", "length"), rel=0.06)
-
-
-def test_an_unknown_model_is_an_error_that_names_the_nearest():
-    with pytest.raises(UnknownNameError, match="did you mean standard"):
-        job.tour(["standart"])
-    with pytest.raises(InputError):
-        job.tour([])
 
 
 def test_a_launch_angle_from_which_the_loft_was_solved_is_no_prediction_and_has_no_part_in_the_mean(result):
