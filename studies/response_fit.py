@@ -36,8 +36,8 @@ from clubface.fem.balls import Ball, ball
 from clubface.fem.run import inputs_of, one_shot, strike
 from clubface.fem.settings import Settings
 from clubface.jobs import Job
+from clubface.jobs.engine import Place, Row, run_table
 from clubface.jobs.store import fingerprint
-from clubface.jobs.table import Place, Row, run_table
 from clubface.present.style import legend_above, save
 from clubface.simulation import core
 from clubface.simulation.results import inputs, outputs

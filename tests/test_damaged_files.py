@@ -12,7 +12,7 @@ import clubface
 from clubface import fem, shots as launch_monitor
 from clubface.errors import ClubfaceError, FileError, InputError, UnitError
 from clubface.jobs import Job, Store
-from clubface.jobs.table import run_table
+from clubface.jobs.engine import run_table
 from clubface.schema.document import MOST_PARTS, Document
 from clubface.shots.reading import read_shots
 from clubface.shots.tables.cells import NUMBER

@@ -33,7 +33,7 @@ from clubface.fem.case import Case
 from clubface.inference.file import infer_shots
 from clubface.inference.prior import Prior
 from clubface.jobs import Job, Store
-from clubface.jobs.table import Place, Row, run_table
+from clubface.jobs.engine import Place, Row, run_table
 from clubface.schema import Document
 from clubface.shots import opengolfsim
 from clubface.shots.flight_relay import ShotCollector, text_to_object

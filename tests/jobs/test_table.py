@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from clubface.errors import FileError
-from clubface.jobs import Job, Store, table as tables
-from clubface.jobs.table import run_table
+from clubface.jobs import Job, Store, engine as tables
+from clubface.jobs.engine import run_table
 
 COLUMNS = {"toe": float, "high": float, "force": float, "stopped": str}
 PLACES = [(toe, high) for toe in (-0.5, 0.0, 0.5) for high in (0.0, 1.0 / 3.0)]

@@ -30,7 +30,7 @@ NO_INPUTS = {
     "simulation/own_law.py": "the source of a law of contact of one's own",
     "studies/store.py": "finished parts of a study, and inputs that it keeps",
     "jobs/store.py": "finished parts of long work",
-    "jobs/table.py": "rows of a table that long work adds to",
+    "jobs/engine.py": "rows of a table that long work adds to",
     "jobs/lock.py": "who works on a file",
     "fem/paper.py": "errors that were computed once, which come with the package",
     "support/processes.py": "the memory of the machine; the processor of the machine",

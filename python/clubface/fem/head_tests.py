@@ -20,8 +20,7 @@ from clubface.fem.impact_result import columns_of
 from clubface.fem.materials import Material
 from clubface.fem.run import AnyBall, strike
 from clubface.fem.settings import Settings
-from clubface.jobs.engine import Job
-from clubface.jobs.table import Place, Row, run_table
+from clubface.jobs.engine import Job, Place, Row, run_table
 from clubface.jobs.workers import worker_count
 from clubface.results.notes import note
 from clubface.results.pictures import Axis, Mark, Panel, Picture

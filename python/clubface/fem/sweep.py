@@ -14,8 +14,7 @@ from clubface.fem.case import Case, case
 from clubface.fem.core import Progress
 from clubface.fem.impact_result import columns_of
 from clubface.fem.pictures import sweep_picture
-from clubface.jobs.engine import Job
-from clubface.jobs.table import Place, Row, run_table
+from clubface.jobs.engine import Job, Place, Row, run_table
 from clubface.jobs.workers import worker_count
 from clubface.results.result import Result
 from clubface.results.table import Table

@@ -1,22 +1,34 @@
-"""The engine for long computations: finished parts are kept, so that nothing is computed twice."""
+"""The engine of long computations: parts that are kept as they are finished, so that nothing is computed twice.
+
+Computations that are rows of a CSV table are kept there; later runs of the same work add rows.
+"""
 
 from __future__ import annotations
 
+import csv
+import io
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from clubface.jobs.store import Finished
-from clubface.jobs.workers import in_sequence
+from clubface.errors import FileError
+from clubface.jobs.store import Finished, Store, fingerprint, unfinished_folder
+from clubface.jobs.workers import in_sequence, in_threads
+from clubface.support.files import prepared_folder
 
-__all__ = ["Job", "interrupted", "run"]
+__all__ = ["Job", "Place", "Row", "interrupted", "run", "run_table"]
 
 P = TypeVar("P")
 R = TypeVar("R")
 Compute = Callable[..., Any]
 Progress = Callable[[int, int], object]
 """Called with the parts that are done and the parts in all."""
+Place = tuple[float, float]
+"""The values of the first two columns, which identify a row."""
+Row = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -96,3 +108,97 @@ def interrupted(done: int, whole: int, what: str, folder: Path | None) -> Keyboa
     """Return the error that says how much of the interrupted work is done, and where it is kept."""
     kept = "" if folder is None or not done else f"; they are in {folder}, and the same command goes on after them"
     return KeyboardInterrupt(f"{done} of {whole} {what} are done{kept}")
+
+
+def run_table(
+    job: Job[Place, Row],
+    path: str | os.PathLike[str] | None,
+    content: Mapping[str, Any],
+    columns: Mapping[str, Callable[[str], Any]],
+    *,
+    workers: int | None = None,
+    progress: Progress | None = None,
+) -> list[Row]:
+    """Return the rows of a job; rows already in its table are not computed again.
+
+    Until all rows are finished, those that are lie in a store next to the table. Then they are written together: first
+    the rows of this job, then those that the table had besides.
+
+    Parameters
+    ----------
+    job
+        From places to rows, computed by :func:`clubface.jobs.workers.in_threads`.
+    path
+        The CSV file, whose first line has a fingerprint of the content. None keeps no rows.
+    content
+        The inputs that the rows depend on, by the names that messages use. A table of anything else is refused.
+    columns
+        How to read each column.
+    workers
+        Rows computed at a time; left out, as many as there are cores.
+    progress
+        Called with the rows there are and the rows in all.
+
+    Raises
+    ------
+    FileError
+        The file is the table of something else, or damaged; or another process is writing it.
+    """
+    if path is None:
+        return list(run(job, partial(in_threads, workers=workers), progress=progress).values())
+    target = Path(path)
+    folder = unfinished_folder(target)
+    head = f"# case {fingerprint(list(content.values()))[:16]}\n{','.join(columns)}\n"
+    prepared_folder(target.parent)
+    complete = _finished(job, _read(target, head, columns)).keys() == set(job.parts)
+    remedy = f"finish that with the same command, or remove {folder}"
+    idle = complete and not folder.exists()
+    with Finished() if idle else Store(folder, content, output=target, remedy=remedy) as store:
+        before = _read(target, head, columns)  # again: another process may have written it meanwhile
+        finished = _finished(job, before)
+        rows = run(job, partial(in_threads, workers=workers), store=store, finished=finished, progress=progress)
+        if not idle:
+            own = {_key(place): row for place, row in rows.items()}
+            others = before | {_key([store[name][each] for each in columns]): store[name] for name in store}
+            text = head + _text([*own.values(), *(row for key, row in others.items() if key not in own)], columns)
+            store.write_result(target, lambda file: file.write(text.encode()))
+            store.remove()
+    return list(rows.values())
+
+
+def _finished(job: Job[Place, Row], rows: Mapping[Place, Row]) -> dict[Place, Row]:
+    """Return the rows of a table that are results of a job."""
+    present = {place: rows[_key(place)] for place in job.parts if _key(place) in rows}
+    return {place: row for place, row in present.items() if job.accepts(place, row)}
+
+
+def _key(values: Sequence[float]) -> Place:
+    """Return the first two values, free of rounding by unit conversion."""
+    return round(values[0], 9), round(values[1], 9)
+
+
+def _read(path: Path, head: str, columns: Mapping[str, Callable[[str], Any]]) -> dict[Place, Row]:
+    """Return the rows of a table by key; empty without a file."""
+    if not path.exists():
+        return {}
+    lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
+    if lines[:2] != head.splitlines():
+        raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
+    rows = {}
+    # Each line by itself: a quotation mark in a damaged one must not swallow the others.
+    for number, line in enumerate(lines[2:], 3):
+        try:
+            (cells,) = csv.reader([line], strict=True)
+            values = [read(text) for read, text in zip(columns.values(), cells, strict=True)]
+        except (ValueError, csv.Error):
+            raise FileError(str(path), number, "this is not a row of the table; remove it") from None
+        rows[_key(values)] = dict(zip(columns, values, strict=True))
+    return rows
+
+
+def _text(rows: Sequence[Row], columns: Mapping[str, Any]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(
+        [row[name] if isinstance(row[name], str) else repr(row[name]) for name in columns] for row in rows
+    )
+    return text.getvalue()

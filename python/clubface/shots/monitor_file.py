@@ -24,6 +24,7 @@ from clubface.shots.tables.cells import (
     NUMBER,
     PLAIN,
     CellError,
+    Reject,
     all_numbers,
     hand_of,
     is_missing,
@@ -32,7 +33,6 @@ from clubface.shots.tables.cells import (
     ragged_reason,
     reading,
 )
-from clubface.shots.tables.chunk import Reject
 from clubface.shots.tables.headings import FACE_TO_PATH, MIRRORED, POINTS, WORLD, FileColumn, plain, squeezed
 from clubface.shots.tables.row_source import Row
 from clubface.simulation.results import inputs

@@ -25,7 +25,7 @@ from clubface.results.table import table, text
 from clubface.shots.prediction_source import Source, open_source
 from clubface.shots.recorded import SIDES
 from clubface.shots.summary_rows import summaries_in
-from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
+from clubface.shots.tables.cells import PARTS_MISSING, Chunk, Reject
 from clubface.shots.tables.headings import HAND, ColumnLayout
 from clubface.shots.tables.parquet import ParquetForm
 from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_parquet

@@ -24,7 +24,7 @@ from clubface.shots.measured import ReadyShots, assumptions, ready_shots
 from clubface.shots.monitors import TABLE
 from clubface.shots.reading import is_plain_table, read
 from clubface.shots.recorded import RecordedShots
-from clubface.shots.tables.chunk import Chunk, Reject
+from clubface.shots.tables.cells import Chunk, Reject
 from clubface.shots.tables.headings import (
     HAND,
     POINTS,

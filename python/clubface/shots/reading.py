@@ -29,8 +29,7 @@ from clubface.shots.plausibility import (
 )
 from clubface.shots.recorded import MEASURED_AT, SIDES, TEXTS, RecordedShots, RejectedRow, iso_dates, join_sessions
 from clubface.shots.signs import suspected_signs
-from clubface.shots.tables.cells import Decimals, decimals_of, doubt, quoted_cell
-from clubface.shots.tables.chunk import Reject
+from clubface.shots.tables.cells import Decimals, Reject, decimals_of, doubt, quoted_cell
 from clubface.shots.tables.headings import check_units, heading, listed, near_name, shot_words
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, ParquetReader
 from clubface.shots.tables.row_source import DECIMAL_ROWS, Row, RowSource, open_rows

@@ -18,7 +18,7 @@ import numpy as np
 
 from clubface.shots.club_names import club_kind
 from clubface.shots.formats import PLAYER
-from clubface.shots.tables.chunk import Chunk
+from clubface.shots.tables.cells import Chunk
 from clubface.shots.tables.headings import HAND, ColumnLayout, by_word, plain, vocabulary
 from clubface.support.arrays import Floats
 

@@ -28,6 +28,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -68,34 +69,26 @@ MOST_ROWS = 500_000
 """Largest number of tasks of a chunk."""
 SECONDS = 2.0
 """Time that a chunk takes by default [s], about."""
-KINDS = ("impact", "comparison", "map", "dispersion", "best-loft", "optimise", "fem", "head", "capture", "empty")
-"""The kinds of studies."""
+KINDS = {
+    "impact": "impacts.IMPACTS",
+    "comparison": "impacts.COMPARISONS",
+    "map": "impacts.MAPS",
+    "dispersion": "golfers.DISPERSIONS",
+    "best-loft": "impacts.BEST_LOFTS",
+    "optimise": "golfers.OPTIMISATIONS",
+    "fem": "fem.CASES",
+    "head": "fem.MESHED_HEADS",
+    "capture": "captures.CAPTURES",
+    "empty": "impacts.EMPTY",
+}
+"""Module and name of each kind of study; some modules take a second to import."""
 
 
 def kind(name: str) -> Kind:
-    """Return a kind of study by name, whose module is imported now: some take a second."""
+    """Return a kind of study by name, whose module is imported now."""
     check_choice("kind", name, KINDS)
-    if name in ("comparison", "map"):
-        from clubface.studies.kinds.comparisons import COMPARISONS, MAPS
-
-        kinds = (COMPARISONS, MAPS)
-    elif name in ("dispersion", "optimise"):
-        from clubface.studies.kinds.golfers import DISPERSIONS, OPTIMISATIONS
-
-        kinds = (DISPERSIONS, OPTIMISATIONS)
-    elif name in ("fem", "head"):
-        from clubface.studies.kinds.fem import CASES, MESHED_HEADS
-
-        kinds = (CASES, MESHED_HEADS)
-    elif name == "capture":
-        from clubface.studies.kinds.captures import CAPTURES
-
-        kinds = (CAPTURES,)
-    else:
-        from clubface.studies.kinds.impacts import BEST_LOFTS, EMPTY, IMPACTS
-
-        kinds = (IMPACTS, BEST_LOFTS, EMPTY)
-    return next(each for each in kinds if each.name == name)
+    module, _, attribute = KINDS[name].partition(".")
+    return getattr(import_module(f"clubface.studies.kinds.{module}"), attribute)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

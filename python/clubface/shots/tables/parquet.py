@@ -10,7 +10,7 @@ from typing import Any, BinaryIO
 
 from clubface.errors import FileError
 from clubface.results.notes import Note
-from clubface.shots.tables.chunk import PARTS_MISSING, Chunk
+from clubface.shots.tables.cells import PARTS_MISSING, Chunk
 from clubface.shots.tables.file_kind import START, refuse_no_table
 from clubface.support.files import open_input
 

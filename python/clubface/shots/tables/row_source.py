@@ -21,8 +21,7 @@ from typing import Any, BinaryIO
 
 from clubface.errors import FileError, shortened
 from clubface.results.notes import Note, note
-from clubface.shots.tables.cells import decimals_of, doubt, ragged_reason
-from clubface.shots.tables.chunk import Chunk, Reject
+from clubface.shots.tables.cells import Chunk, Reject, decimals_of, doubt, ragged_reason
 from clubface.shots.tables.file_kind import START, is_workbook, refuse_no_table
 from clubface.shots.tables.headings import shot_words
 from clubface.shots.tables.parquet import ENDINGS, ParquetReader
@@ -69,8 +68,6 @@ _EVERYDAY: Mapping[str, re.Pattern[str]] = {
 
 Of encodings that fit as well the first counts: what makes everyday words of two bytes each does so by no accident.
 """
-
-
 LARGEST_CHUNK = 64_000_000
 """Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
 

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from clubface.errors import LINES, FileError, legible
-from clubface.shots.tables.cells import cell_text
-from clubface.shots.tables.chunk import PARTS_MISSING, Chunk, Reject
+from clubface.shots.tables.cells import PARTS_MISSING, Chunk, Reject, cell_text
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, write_parquet
 from clubface.support.files import whole_file
 

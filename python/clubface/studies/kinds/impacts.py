@@ -1,27 +1,35 @@
-"""Studies of impacts and flights, of the loft of the longest carry, and of nothing, by which overhead is measured."""
+"""Studies of impacts: one shot or two at every input that is swept, the best loft for it, and face maps.
+
+The kind ``empty`` computes next to nothing, by which overhead is measured.
+"""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from clubface import units
-from clubface.errors import InputError, RangeWarning, RuleWarning
-from clubface.schema import PhysicalValue
+from clubface.equipment.models import MODULES
+from clubface.errors import InputError, RangeWarning, RuleWarning, Wording
+from clubface.schema import PhysicalValue, Record, Simple
 from clubface.simulation.flight import fly
 from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
-from clubface.studies.axes import Swept
+from clubface.studies.axes import Swept, inputs_named, number
+from clubface.studies.designs import Design
 from clubface.studies.kinds.kind import NO_HISTORIES, OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
-from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, swept_shots
+from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 from clubface.support.checks import without_warnings
 
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """The quantities kept by default."""
+OTHER = "other"
+"""The table of what is different in the second shot."""
 
 
 class Impacts:
@@ -124,21 +132,15 @@ class Empty:
     """The square of one input, after a time of work that the study asks for.
 
     See :class:`clubface.studies.kinds.kind.Task`.
-
-    Parameters
-    ----------
-    study
-        The study.
-    seconds
-        Time of a processor that each task takes [s].
     """
 
     columns: Mapping[str, Column]
     histories = NO_HISTORIES
     depends_on: Mapping[str, str]
 
-    def __init__(self, study: DescribedStudy, seconds: float) -> None:
-        self._design, self._seconds = study.design, seconds
+    def __init__(self, study: DescribedStudy) -> None:
+        self._design = study.design
+        self._seconds = units.parse(study.table.get("seconds", 0.0), "time", name="seconds")
         self.columns = {"square": Column("1", "square of the input x")}
         self.depends_on = {}
 
@@ -151,12 +153,163 @@ class Empty:
         return Computed({"square": x * x})
 
 
-def _swept_empty(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    return {"x": Swept("1")}
+EMPTY = Kind(
+    name="empty", keys={"seconds": PhysicalValue("s", 0.0, 3600.0)}, swept=lambda table, sweep: {"x": Swept("1")},
+    task=Empty,
+)  # fmt: skip
 
 
-def _empty_task(study: DescribedStudy) -> Empty:
-    return Empty(study, units.parse(study.table.get("seconds", 0.0), "time", name="seconds"))
+class DesignWithout:
+    """A design that leaves some inputs out. See :class:`clubface.studies.designs.Design`."""
+
+    def __init__(self, design: Design, names: Collection[str]) -> None:
+        self.axes = tuple(each for each in design.axes if each.name not in names)
+        self.count = design.count
+        self._design = design
+
+    def values(self, tasks: range) -> dict[str, NDArray[Any]]:
+        """Return the inputs of consecutive tasks by name."""
+        values = self._design.values(tasks)
+        return {each.name: values[each.name] for each in self.axes}
 
 
-EMPTY = Kind(name="empty", keys={"seconds": PhysicalValue("s", 0.0, 3600.0)}, swept=_swept_empty, task=_empty_task)
+def _first(study: DescribedStudy) -> DescribedStudy:
+    return replace(study, table={name: each for name, each in study.table.items() if name != OTHER})
+
+
+def _second(study: DescribedStudy) -> DescribedStudy:
+    """Return the second shot: what it has itself is not swept in it."""
+    other = study.table.get(OTHER)
+    if not other:
+        raise InputError(OTHER, other, 'a table of what is different, as in other = { club = "3-wood" }')
+    table = changed_table(_first(study).table, other)
+    swept = {each.name for each in study.design.axes}
+    own = {name: place for name, place, _ in inputs_named(other, swept)}
+    for name, place in own.items():
+        if name in swept and place.count(".") == 2:
+            wanted = "given in one of both places alone, or for all models"
+            raise InputError(name, Wording(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
+    design = DesignWithout(study.design, replaced_by(own))
+    sweep = {each.name: study.sweep.get(each.name) for each in design.axes}
+    if isinstance(given := other.get("parameters"), str) and (both := [*filter(is_parameter, sweep)]):
+        raise InputError("parameters", given, f"a table of values: {both[0]} is swept, and a whole set has it, too")
+    return replace(study, table=table, sweep=sweep, design=design)
+
+
+class Comparisons:
+    """Two shots and their difference. See :class:`clubface.studies.kinds.kind.Task`."""
+
+    columns: Mapping[str, Column]
+    histories = NO_HISTORIES
+    depends_on: Mapping[str, str]
+
+    def __init__(self, study: DescribedStudy) -> None:
+        first = Impacts(_first(study))
+        try:
+            self._both = (first, Impacts(_second(study)))
+        except InputError as error:
+            if error.parameter in study.table.get(OTHER, ()):
+                raise InputError(f"{OTHER}.{error.parameter}", error.value, error.allowed) from None
+            raise
+        self._names = tuple(self._both[0].columns)
+        self.depends_on = {**self._both[0].depends_on, **self._both[1].depends_on}
+        self.columns = {}
+        for name, each in self._both[0].columns.items():
+            self.columns |= {name: each, f"{name}_other": Column(each.unit, f"of the other: {each.meaning}")}
+            self.columns[f"{name}_difference"] = Column(each.unit, f"of the other less of the first: {each.meaning}")
+
+    def run(self, indices: range) -> Computed:
+        """Compute both shots of every task."""
+        first, second = (each.run(indices) for each in self._both)
+        columns, tally = {}, Tally()
+        for each in (first, second):
+            tally.add_counts(each.outside)
+        for name in self._names:
+            one, other = first.columns[name], second.columns[name]
+            columns |= {name: one, f"{name}_other": other, f"{name}_difference": other - one}
+        return Computed(columns, sorted(({**dict(second.failed), **dict(first.failed)}).items()), tally.counts())
+
+
+OTHER_SHOT = Record(
+    {name: Record(Simple()) if name == "held" else each for name, each in KEYS.items()},
+    example='other = { club = "3-wood" }',
+)
+COMPARISONS = Kind(
+    name="comparison", keys={**IMPACTS.keys, OTHER: OTHER_SHOT}, swept=swept_shots, task=Comparisons, apart=(OTHER,)
+)
+
+
+PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
+"""Unit of what says how impacts scatter, about which point, and which share of the best ball speed counts."""
+FACE = {
+    "face_area": Column("m2", "area of the face"),
+    "area": Column("m2", "area on which the ball speed is at least a share of the best, 0.98 unless given"),
+    "sweet_spot_toe": Column("m", "where the ball speed is greatest, towards the toe"),
+    "sweet_spot_high": Column("m", "the same, upwards"),
+    "best_ball_speed": Column("m/s", "ball speed there"),
+    "longest_toe": Column("m", "where the carry is greatest, towards the toe"),
+    "longest_high": Column("m", "the same, upwards"),
+    "longest_carry": Column("m", "carry there"),
+}
+SCATTERED = ("missed", "ball_speed_loss", "carry_mean", "carry_deviation", "carry_loss", "side_deviation")
+
+
+def _columns() -> dict[str, Column]:
+    from clubface.design.contributions import quantities
+
+    columns = {**FACE, "missed": Column("1", "share of the swings that miss the face")}
+    for name, each in quantities().items():
+        columns[f"{name}_mean"] = Column(each.unit, f"mean over impacts that scatter: {each.meaning}")
+        columns[f"{name}_deviation"] = Column(each.unit, f"standard deviation over them: {each.meaning}")
+        columns[f"{name}_loss"] = Column(each.unit, f"drop of the mean from the value at the centre: {each.meaning}")
+    return columns
+
+
+def _swept(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
+    shots = {name: each for name, each in swept_shots(table, sweep).items() if name not in ("toe", "high")}
+    return {**shots, **{name: Swept(unit) for name, unit in PLACE.items()}}
+
+
+def _task(study: DescribedStudy) -> OneByOne:
+    from clubface.design.face_map import SHARE, checked_grid, map_face
+
+    shot_inputs, table = ShotInputs(study), study.table
+    for name in ("toe", "high"):
+        if name in table.get("held", {}):
+            raise InputError(name, table["held"][name], "left out: a map strikes the whole face")
+    held = {"share": SHARE, "about_toe": 0.0, "about_high": 0.0}
+    held |= {name: number(name, table[name], unit) for name, unit in PLACE.items() if name in table}
+    given = {*held, *(each.name for each in study.design.axes)}
+    scatters = {"spread_toe", "spread_high"} <= given
+    columns = study.columns(_columns(), (*FACE, *(SCATTERED if scatters else ())))
+    if not scatters and (named := [name for name in columns if name not in FACE]):
+        raise InputError("spread_toe", None, f'give it and spread_high, as in spread_toe = "10 mm", for {named[0]}')
+    if not scatters and (idle := [each for each in PLACE if each != "share" and each in {*table, *study.sweep}]):
+        raise InputError(idle[0], Wording("given"), "left out unless both spread_toe and spread_high are given")
+    if (grid := table.get("grid")) is not None:
+        grid = checked_grid(grid)
+
+    def compute(task: Mapping[str, Any]) -> dict[str, Any]:
+        place = {**held, **task}
+        shot = shot_inputs.single(task)
+        alone: dict[str, Any] = {"workers": 1} if shot["model"] in MODULES else {}
+        face_map = map_face(**shot, **shot_inputs.conditions.at(task), grid=grid, **alone)
+        best, longest = face_map.best(), face_map.best("carry")
+        figures: dict[str, Any] = {
+            "face_area": face_map.outline.area, "area": lambda: face_map.area(place["share"]),
+            "sweet_spot_toe": best.toe, "sweet_spot_high": best.high, "best_ball_speed": best.value,
+            "longest_toe": longest.toe, "longest_high": longest.high, "longest_carry": longest.value,
+        }  # fmt: skip
+        if scatters:
+            spread = (place["spread_toe"], place["spread_high"])
+            forgiveness = face_map.forgiveness(spread, toe=place["about_toe"], high=place["about_high"])
+            for part in ("mean", "deviation", "loss"):
+                figures |= {f"{name}_{part}": each for name, each in getattr(forgiveness, part).items()}
+            figures["missed"] = forgiveness.missed
+        return figures
+
+    return OneByOne(study, columns, compute, elements=bool(shot_inputs.depends_on))
+
+
+MAP_KEYS = {**KEYS, **{name: PhysicalValue(unit) for name, unit in PLACE.items()}, "grid": Simple(), "outputs": OUTPUTS}
+MAPS = Kind(name="map", keys=MAP_KEYS, swept=_swept, task=_task)

@@ -2,7 +2,7 @@
 
 A study names its kind, gives it a table of its own, and sweeps what the kind says may be swept. From the study the kind
 makes a task, whose columns at any index follow from the study and the index alone. Another kind is a ``Kind`` in a
-module next to this one, and its name in :func:`clubface.studies.study.kind`.
+module next to this one, and a line in ``KINDS`` of :mod:`clubface.studies.study`.
 """
 
 from __future__ import annotations
