@@ -279,8 +279,8 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
     """
     assumed = mapping.assumed
     seen = recording.markers(mapping.cluster) @ turn.T
-    first, last = _frames(mapping, recording, seen)
-    markers = _mean(seen[first : last + 1], tuple(mapping.cluster), recording, first)
+    first, last = _address_frames(mapping, recording, seen)
+    markers = _mean_markers(seen[first : last + 1], tuple(mapping.cluster), recording, first)
     attitude = Attitude(np.array([club.loft, 0.0, 0.0]), np.diag([assumed.loft, assumed.face, assumed.lie]) ** 2)
     result = placed(markers, attitude, mapping, club, mapping.ground)
     parts = (
@@ -294,7 +294,7 @@ def from_address(mapping: MarkerMap, club: Club, recording: Recording, turn: Arr
     return result._replace(geometry=(*parts, *result.geometry), notes=(address, *result.notes))
 
 
-def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:
+def _address_frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int, int]:
     """Return the first and last frame of the address, counted from 0."""
     count = len(seen)
     if mapping.frames is not None:
@@ -332,7 +332,7 @@ def _frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tuple[int,
     return runs[-1]
 
 
-def _mean(seen: Array, names: tuple[str, ...], recording: Recording, first: int) -> Array:
+def _mean_markers(seen: Array, names: tuple[str, ...], recording: Recording, first: int) -> Array:
     """Return the mean marker positions over the frames that show all of them."""
     whole = seen[np.all(visible(seen), axis=-1)]
     if len(whole) < 1 or len(names) < FEWEST:
@@ -375,7 +375,7 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     noise = mapping.noise
     if noise is None:
         noise, _ = followed.noise(np.arange(len(followed.known)) <= last_before(recording.times, followed, where))
-    mean, spread = _place(mapping, club)
+    mean, spread = _mean_position(mapping, club)
     cg = -mean - np.array(club.cg)
     arm = float(np.linalg.norm(np.hypot(spread, TURNED * np.linalg.norm(cg))) / np.sqrt(3.0))
     cg = delivered(club.loft, 0.0, 0.0, club.loft) @ cg
@@ -415,7 +415,7 @@ def _attitude(detected: DetectedImpact, mapping: MarkerMap, club: Club, ball: Ba
 
     random = np.random.default_rng(0)
     assumed = mapping.assumed
-    mean, spread = _place(mapping, club)
+    mean, spread = _mean_position(mapping, club)
     change = random.multivariate_normal(detected.later - detected.velocity, detected.covariance, DRAWS, method="eigh")
     # From the mean of the markers to the CG, in club axes.
     arm = -(mean + spread * random.normal(size=(DRAWS, 3))) - np.array(club.cg)
@@ -443,19 +443,19 @@ def _attitude(detected: DetectedImpact, mapping: MarkerMap, club: Club, ball: Ba
             loft = (loft + (launch + sideways[0] - made.launch) / SHARE).clip(-STEEP, STEEP)
             face = (face + (azimuth + sideways[1] - made.azimuth) / SHARE).clip(-STEEP, STEEP)
     except ClubfaceError:
-        raise FileError(where, None, _fails(club)) from None
+        raise FileError(where, None, _describe_failure(club)) from None
     drawn = np.stack([loft, face, lie])
     drawn = drawn[:, np.isfinite(drawn).all(0)]
     usual = np.array([club.loft + USUAL_LOFT[club.kind], 0.0])[:, None]
     allowed = np.array([assumed.delivered_loft, assumed.delivered_face])[:, None]
     weights = np.exp(-0.5 * (((drawn[:2] - usual) / allowed) ** 2).sum(0))
     if (weights > 0.1).sum() < FEWEST_AGREEING:
-        raise FileError(where, None, _fails(club))
+        raise FileError(where, None, _describe_failure(club))
     mean = np.average(drawn, axis=1, weights=weights)
     return Attitude(np.array([mean[0], mean[1], 0.0]), np.cov(drawn, aweights=weights))
 
 
-def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
+def _mean_position(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
     """Return the mean marker position from the face centre [m], and its standard deviations."""
     given = [place for place in mapping.cluster.values() if place is not None]
     if len(given) < len(mapping.cluster):
@@ -463,7 +463,7 @@ def _place(mapping: MarkerMap, club: Club) -> tuple[Array, Array]:
     return np.mean(given, 0), np.full(3, mapping.position_deviation / np.sqrt(len(given)))
 
 
-def _fails(club: Club) -> str:
+def _describe_failure(club: Club) -> str:
     return (
         f"the head is slowed as if the ball went where no usual impact of {club.name} sends it; check the club, the"
         " directions of target and up, and the positions under [cluster]. If they are right, give"

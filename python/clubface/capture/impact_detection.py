@@ -140,14 +140,14 @@ def detect_impact(
         Position of the CG relative to the head's origin, in world axes at impact [m], shape (3,); default: at the
         origin.
     """
-    before, after, lost, again = _frames(times, followed, where)
+    before, after, lost, again = _impact_frames(times, followed, where)
     cg = np.zeros(3) if cg is None else cg
     known = np.flatnonzero(followed.known)
     place = int(np.searchsorted(known, before))
     tried = []
     for first in range(max(place - 1, 0), min(place + 2, len(known) - 1)):
         frames = int(known[first]), int(known[first + 1])
-        result = _cross(times, followed, frames, noise, arm, cg, roughness, where)
+        result = _crossing(times, followed, frames, noise, arm, cg, roughness, where)
         if result is not None and times[result.before] <= result.touch + EARLY and result.touch <= times[result.after]:
             tried.append(result)
     if not tried:
@@ -161,7 +161,7 @@ def detect_impact(
 
 def last_before(times: Array, followed: Track, where: str) -> int:
     """Return the last frame before the head loses speed, to within a frame or two."""
-    return _frames(times, followed, where).before - 1
+    return _impact_frames(times, followed, where).before - 1
 
 
 class End(NamedTuple):
@@ -198,7 +198,7 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
     for later in range(FEWEST - 1, -1, -1):
         end = len(speeds) - later  # the step containing the impact, if any frame follows
         some = np.arange(max(end - STEPS, 0), end)
-        level, off = _extended((some - end)[None].astype(np.float64), speeds[some][None])
+        level, off = _fit_lines((some - end)[None].astype(np.float64), speeds[some][None])
         if off[0] > 0.5 * LOST * level[0] or level[0] < NEARLY * top:
             continue
         if later == 0:
@@ -230,7 +230,7 @@ class Drop(NamedTuple):
     again: int | None = None
 
 
-def _frames(times: Array, followed: Track, where: str) -> Drop:
+def _impact_frames(times: Array, followed: Track, where: str) -> Drop:
     """Return the frames between which the head permanently loses speed."""
     known = np.flatnonzero(followed.known)
     # The markers are on the head wherever the calibration puts the origin.
@@ -255,7 +255,7 @@ def _frames(times: Array, followed: Track, where: str) -> Drop:
             return Drop(int(known[best]), int(known[best + 1]), float(lost[best]), another)
         most = 100.0 * max(float(lost[best]), 0.0)
         reason = f"the clubhead nowhere loses speed as at impact (at most {most:.0f}% within a few frames)"
-        reason += _hidden(times[known], middle, known)
+        reason += _describe_gap(times[known], middle, known)
     raise FileError(
         where, None,
         f"no impact: {reason}. This is a swing without a ball, or the file ends fewer than {FEWEST} frames after"
@@ -289,10 +289,10 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
             speed = np.linalg.norm(np.diff(position[index], axis=1), axis=-1) / np.abs(np.diff(times[index], axis=1))
         speed = np.where(seen & (speed < IMPOSSIBLE), speed, np.nan)
         close = np.where(since <= near, speed, np.nan)[:, : max(STEPS, FEWEST)]
-        level, off = _extended(when[:, : close.shape[1]], close)
+        level, off = _fit_lines(when[:, : close.shape[1]], close)
         if way < 0:
             # A line over a longer time is not affected by a rise just before the step.
-            level = np.fmin(level, _extended(when[:, ::2], speed[:, ::2])[0])
+            level = np.fmin(level, _fit_lines(when[:, ::2], speed[:, ::2])[0])
         levels.append(level)
         speeds.append(speed)
         apart.append(off)
@@ -311,7 +311,7 @@ def _losses(times: Array, position: Array, frames: Array) -> tuple[Array, Array,
     return np.where(fine & enough[0] & enough[1], lost, -np.inf), before, apart[0] + apart[1]
 
 
-def _extended(when: Array, speeds: Array) -> tuple[Array, Array]:
+def _fit_lines(when: Array, speeds: Array) -> tuple[Array, Array]:
     """Fit robust lines to speeds, shape (lines, points) with NaN for missing ones; return value at zero and misfit."""
     one, two = np.triu_indices(when.shape[1], 1)
     slope = _quantile((speeds[:, two] - speeds[:, one]) / (when[:, two] - when[:, one]), 0.5)[:, None]
@@ -328,7 +328,7 @@ def _quantile(values: Array, share: float) -> Array:
     return 0.5 * (low + high)
 
 
-def _hidden(times: Array, position: Array, frames: Array) -> str:
+def _describe_gap(times: Array, position: Array, frames: Array) -> str:
     """Describe a gap that may hide the impact, if the head is slower after it; else return an empty string."""
     speeds = np.linalg.norm(np.diff(position, axis=0), axis=-1) / np.diff(times)
     for place in np.flatnonzero(np.diff(frames) > 1):
@@ -342,7 +342,7 @@ def _hidden(times: Array, position: Array, frames: Array) -> str:
     return ""
 
 
-def _cross(
+def _crossing(
     times: Array,
     followed: Track,
     frames: tuple[int, int],
@@ -368,7 +368,7 @@ def _cross(
 
     def left(time: float) -> Path:
         """Return the CG's path after an impact at ``time``, shifted to the origin's position at that time."""
-        held = exponential(_at(ahead, time)[0][3:]) @ attitude
+        held = exponential(_evaluate(ahead, time)[0][3:]) @ attitude
         # The CG moves smoothly. The origin, at an arm known to ``arm``, also follows the head's rotation since
         # impact.
         turned = rotation[later] @ held.T - np.eye(3)
@@ -376,16 +376,16 @@ def _cross(
 
     time, lost, weight = 0.0, np.zeros(3), np.eye(3)
     for _ in range(ROUNDS):
-        one, two = _at(ahead, time), _at(left(time), -time)
+        one, two = _evaluate(ahead, time), _evaluate(left(time), -time)
         apart, lost = two[0] - one[0][:3], -two[1] - one[1][:3]
         weight = np.linalg.inv(one[2][:3, :3] + two[2])
         time = time - float(lost @ weight @ apart) / float(lost @ weight @ lost)
     back = left(time)
-    one, two = _at(ahead, time), _at(back, -time)
+    one, two = _evaluate(ahead, time), _evaluate(back, -time)
     apart = two[0] - one[0][:3]
     across = float(apart @ weight @ apart)
     early = time - 0.5 * CONTACT
-    values, *_ = _at(ahead, early)
+    values, *_ = _evaluate(ahead, early)
     return DetectedImpact(
         before=before, after=after, touch=start + early,
         deviation=math.sqrt(max(1.0, 0.5 * across / ODD) / float(lost @ weight @ lost) + CONTACT_DEVIATION**2),
@@ -397,7 +397,7 @@ def _cross(
     )  # fmt: skip
 
 
-def _at(path: Path, time: float) -> tuple[Array, Array, Array, Array]:
+def _evaluate(path: Path, time: float) -> tuple[Array, Array, Array, Array]:
     """Return coordinates and rates [1/s] of a path at ``time``, and their covariances, including misfit."""
     when = np.array(time)
     values, rates = series(path.position, when), series(path.rate, when) / TIME

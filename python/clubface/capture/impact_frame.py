@@ -80,11 +80,11 @@ def find_impact(
     """
     for ball in places:
         ahead, local = gap(position, rotation, ball.centre, club, radius)
-        result = _pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
+        result = _find_pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
         if result is not None:
-            notes = _make_sure(position, seen_ball, ball, result, rate, where)
+            notes = _verify_impact(position, seen_ball, ball, result, rate, where)
             return result._replace(notes=result.notes + notes), ball
-    hidden = _hidden(position, places[0])
+    hidden = _hidden_frames(position, places[0])
     if hidden is not None:
         raise FileError(
             where, None,
@@ -109,7 +109,7 @@ def find_impact(
     )  # fmt: skip
 
 
-def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
+def _hidden_frames(position: Array, ball: RestingBall) -> tuple[int, int] | None:
     """Return the first and last frame in which the head is hidden before the ball leaves; None if it is not hidden.
 
     Gaps short enough to extrapolate across do not count.
@@ -121,7 +121,7 @@ def _hidden(position: Array, ball: RestingBall) -> tuple[int, int] | None:
     return (first, ball.departure - 1) if ball.departure - first >= WIDEST - 1 else None
 
 
-def _pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> FrameInterval | None:
+def _find_pass(ahead: Array, sideways: Array, ball: RestingBall, rate: float) -> FrameInterval | None:
     """Return the frames between which the face passes a ball at rest; None if it does not."""
     known = np.flatnonzero(np.isfinite(ahead))
     first, second = known[:-1], known[1:]
@@ -149,7 +149,7 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -
     return FrameInterval(int(earlier[-1]), gone, (note("capture-head-lost"),))
 
 
-def _make_sure(
+def _verify_impact(
     position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval, rate: float, where: str
 ) -> tuple[Note, ...]:
     """Raise FileError if neither ball nor head reacted to a pass; return notes on what could not be verified."""

@@ -78,19 +78,19 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
     mapping = setup.mapping
     if mapping.ball is None and (mapping.ball_position is None or mapping.ball_deviation > SURE):
         try:
-            return _by_impact(recording, followed, cluster, setup, turn)
+            return _meet_by_impact(recording, followed, cluster, setup, turn)
         except FileError as error:
             if mapping.ball_position is None:
                 end = impact_at_end(recording.times, followed)
                 if end is None:
                     raise
-                return _at_end(recording, followed, setup, end)
-            met = _by_ball(recording, followed, setup, turn)
+                return _meet_at_end(recording, followed, setup, end)
+            met = _meet_by_ball(recording, followed, setup, turn)
             return met._replace(notes=(*met.notes, note("capture-ball-place-alone", reason=error.message)))
-    return _by_ball(recording, followed, setup, turn)
+    return _meet_by_ball(recording, followed, setup, turn)
 
 
-def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -> Meeting:
+def _meet_by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -> Meeting:
     where, head, radius, mapping = recording.path, setup.club, setup.ball.radius, setup.mapping
     seen, places = _ball(recording, setup, turn)
     position, rotation = followed.poses.position, followed.poses.rotation
@@ -110,7 +110,7 @@ def _by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -
     return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (parts,))
 
 
-def _by_impact(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
+def _meet_by_impact(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:
     where, mapping, times = recording.path, setup.mapping, recording.times
     noise, freedom = _noise(followed, last_before(times, followed, where), setup, where)
     arm = max(float(np.sqrt(np.max(np.linalg.eigvalsh(cluster.covariance[:3, :3])))), CG_DEVIATION)
@@ -119,7 +119,7 @@ def _by_impact(recording: Recording, followed: Track, cluster: Registration, set
         times, followed, detected.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
     )
     if mapping.ball_position is None:
-        centre, deviation = _in_front(approach, setup), ANYWHERE
+        centre, deviation = _ball_at_face_centre(approach, setup), ANYWHERE
         parts = [Known("ball", "assumed: where the clubhead loses speed")]
     else:
         centre, deviation = turn @ np.array(mapping.ball_position), mapping.ball_deviation
@@ -127,12 +127,12 @@ def _by_impact(recording: Recording, followed: Track, cluster: Registration, set
     parts.append(
         Known("instant of first touch, by loss of speed", "measured", "contact_time", deviations=[detected.deviation])
     )
-    return _met(
+    return _meeting_at(
         approach, centre, deviation, detected.deviation, (noise, freedom), setup, times, _impact_notes(detected), parts
     )
 
 
-def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
+def _meet_at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
     """Return the meeting in a recording that ends with the impact."""
     where, times = recording.path, recording.times
     noise, freedom = _noise(followed, end.before - 1, setup, where)
@@ -152,11 +152,11 @@ def _at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Me
     ]
     code = "capture-ends-after-impact" if end.later else "capture-ends-with-impact"
     remark = note(code, later=end.later, frame=end.before + recording.first_frame, fewest=FEWEST)
-    centre = _in_front(approach, setup)
-    return _met(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, (remark,), parts)
+    centre = _ball_at_face_centre(approach, setup)
+    return _meeting_at(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, (remark,), parts)
 
 
-def _met(
+def _meeting_at(
     approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
     times: Array, notes: tuple[Note, ...], parts: list[Known],
 ) -> Meeting:  # fmt: skip
@@ -174,7 +174,7 @@ def _met(
     return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, notes, tuple(parts))
 
 
-def _in_front(approach: Approach, setup: Setup) -> Array:
+def _ball_at_face_centre(approach: Approach, setup: Setup) -> Array:
     """Return the centre of a ball that touches the face centre at the instant of impact [m]."""
     head, now = setup.club, np.zeros(())
     values = series(approach.path.position, now)

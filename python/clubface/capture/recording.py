@@ -426,17 +426,17 @@ def filled(positions: Array, rate: float) -> NDArray[np.bool_]:
 
     ``positions`` [m] has shape (frames, markers, 3), NaN where not seen, at ``rate`` [Hz].
     """
-    return np.stack([_filled(each, rate) for each in np.swapaxes(positions, 0, 1)], 1)
+    return np.stack([_interpolated_frames(each, rate) for each in np.swapaxes(positions, 0, 1)], 1)
 
 
-def _filled(path: Array, rate: float) -> NDArray[np.bool_]:
+def _interpolated_frames(path: Array, rate: float) -> NDArray[np.bool_]:
     """Return in which frames one marker was interpolated; ``path`` has shape (frames, 3)."""
     out = np.zeros(len(path), dtype=bool)
     if not np.isfinite(path).any():
         return out
     steps = np.abs(np.diff(path, axis=0)).max(-1)  # NaN next to a gap, like all differences
     digit = LAST_DIGIT * float(np.nanmax(np.abs(path)))
-    coarse = max(digit, _unit(path, digit))
+    coarse = max(digit, _rounding_unit(path, digit))
     for order in ORDERS:
         size = np.abs(np.diff(path, order, axis=0)).max(-1)
         limit = 2.0**order * digit
@@ -460,7 +460,7 @@ def _filled(path: Array, rate: float) -> NDArray[np.bool_]:
     return out
 
 
-def _unit(path: Array, digit: float) -> float:
+def _rounding_unit(path: Array, digit: float) -> float:
     """Return the unit of which all coordinates are multiples [m], as in rounded files; 0 if there is none."""
     changes = np.abs(np.diff(path, axis=0)).ravel()
     changes = changes[changes > 4.0 * digit]

@@ -83,13 +83,13 @@ def read_swing(
 
 def capture(recording: Recording, setup: Setup) -> CapturedDelivery:
     """Return the delivery of one recording; raises the errors of :func:`read_swing`."""
-    outcome = _captured(recording, setup)
+    outcome = _read_delivery(recording, setup)
     if abs(outcome.delivery.path) > 0.5 * math.pi:
-        raise FileError(recording.path, None, _away(outcome, recording, setup))
+        raise FileError(recording.path, None, _describe_direction(outcome, recording, setup))
     return outcome
 
 
-def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
+def _read_delivery(recording: Recording, setup: Setup) -> CapturedDelivery:
     """Return the delivery of one recording, whatever the direction of the head."""
     where, head, radius = recording.path, setup.club, setup.ball.radius
     recording, left_out = without_filled(recording, setup.mapping.cluster)
@@ -149,14 +149,14 @@ def _captured(recording: Recording, setup: Setup) -> CapturedDelivery:
     )
 
 
-def _away(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
+def _describe_direction(result: CapturedDelivery, recording: Recording, setup: Setup) -> str:
     """Describe a head that moves away from the target, and suggest another target axis if that helps."""
     away = "the clubhead moves away from the target"
     mapping, given = setup.mapping, setup.mapping.target
     if isinstance(given, str) and (setup.registration is None or mapping.way in ("positions", "face")):
         for axis in (each for each in AXES if each[1] != mapping.up[1] and each != given):
             try:
-                plausible = _captured(recording, replace(setup, mapping=replace(mapping, target=axis))).plausible
+                plausible = _read_delivery(recording, replace(setup, mapping=replace(mapping, target=axis))).plausible
             except FileError:
                 continue
             if plausible:
@@ -358,7 +358,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
     if not len(pairs):
         raise InputError("measured", measured.source, f"of the same shots as {captured.source}; not one pair is alike")
     one, other = captured.select(pairs[:, 0]), measured.select(pairs[:, 1])
-    left = [*_rejected(captured, pairs[:, 0], measured), *_rejected(measured, pairs[:, 1], captured)]
+    left = [*_unpaired_rows(captured, pairs[:, 0], measured), *_unpaired_rows(measured, pairs[:, 1], captured)]
     measured_by_other = {name for name, values in other.launches.items() if np.isfinite(values).any()}
     carried = {
         name: values
@@ -371,7 +371,7 @@ def join(captured: RecordedShots, measured: RecordedShots) -> RecordedShots:
         clubs=one.clubs if other.clubs is None else other.clubs, hand=other.hand if one.hand is None else one.hand,
         source=f"{captured.source} and {measured.source}", format="joined",
         rejected=tuple(left),
-        notes=(*captured.notes, *measured.notes, summary, *carried_note, *_turned(one, other)),
+        notes=(*captured.notes, *measured.notes, summary, *carried_note, *_target_line_notes(one, other)),
         speed_at=captured.speed_at, face_at=captured.face_at,
     )  # fmt: skip
 
@@ -422,7 +422,7 @@ def _aligned(costs: Floats) -> NDArray[np.int64]:
     return np.array(pairs[::-1], dtype=np.int64).reshape(-1, 2)
 
 
-def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedShots) -> list[RejectedRow]:
+def _unpaired_rows(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedShots) -> list[RejectedRow]:
     """Return the rejected rows of a table, and the rows that the other table does not have."""
     alone = np.setdiff1d(np.arange(len(shots)), paired)
     outcome = [*shots.rejected, *(RejectedRow(int(shots.rows[each]), f"not in {other.source}") for each in alone)]
@@ -430,7 +430,7 @@ def _rejected(shots: RecordedShots, paired: NDArray[np.int64], other: RecordedSh
     return [each._replace(reason=f"{shots.source}: {each.reason}") for each in outcome]
 
 
-def _turned(one: RecordedShots, other: RecordedShots) -> list[Note]:
+def _target_line_notes(one: RecordedShots, other: RecordedShots) -> list[Note]:
     """Return a note on the angle between the target lines, if both tables have the ball's azimuth."""
     if not ("azimuth" in one.launches and "azimuth" in other.launches):
         return []

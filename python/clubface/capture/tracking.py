@@ -102,11 +102,11 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     stray: dict[str, list[int]] = {}
     lost: list[int] = []
     for frame in np.flatnonzero(misfit > limit).tolist():
-        order = _order(shape, observed[frame], limit)
-        alone = _odd_one(shape, observed[frame], limit) if order is None else None
+        order = _best_order(shape, observed[frame], limit)
+        alone = _stray_marker(shape, observed[frame], limit) if order is None else None
         if order is not None:
             observed[frame] = observed[frame, order]
-            exchanged.setdefault(_exchanged(order, names), []).append(frame)
+            exchanged.setdefault(_swapped_markers(order, names), []).append(frame)
         elif alone is not None:
             observed[frame, alone] = np.nan
             stray.setdefault(names[alone], []).append(frame)
@@ -163,7 +163,7 @@ def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[tup
     """Return the sets of markers whose exchange displaces none by ``smallest`` [m], and so would go unnoticed."""
     orders = _orders(len(shape))[1:]
     misfit = _misfit(fit_poses(shape, shape[orders]))
-    return [_exchanged(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
+    return [_swapped_markers(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
 
 
 def _misfit(poses: Poses) -> Array:
@@ -188,7 +188,7 @@ def _orders(count: int) -> NDArray[np.int64]:
     return np.array(result)
 
 
-def _order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
+def _best_order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
     """Return the permutation in which the markers of one frame fit best, or None if none fits."""
     orders = _orders(len(shape))
     misfit = _misfit(fit_poses(shape, observed[orders]))
@@ -199,7 +199,7 @@ def _order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | N
     return orders[best] if misfit[best] < limit and visible(observed).sum() > FEWEST else None
 
 
-def _odd_one(shape: Array, observed: Array, limit: float) -> int | None:
+def _stray_marker(shape: Array, observed: Array, limit: float) -> int | None:
     """Return the marker without which the others fit, or None."""
     without = np.repeat(observed[None], len(shape), axis=0)
     without[np.arange(len(shape)), np.arange(len(shape))] = np.nan
@@ -219,8 +219,8 @@ def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float
     if len(frames):
         if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
             return f"{words}; their mirror image fits, so the hand of the club or an axis of the laboratory is wrong"
-        orders = [_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
-        exchanged = [None if order is None else _exchanged(order, names) for order in orders]
+        orders = [_best_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
+        exchanged = [None if order is None else _swapped_markers(order, names) for order in orders]
         # Frames that fit without a swap say nothing about the others.
         wrong = [each for each in exchanged if each != ()]
         fitting = [each for each in wrong if each is not None]
@@ -230,6 +230,6 @@ def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float
     return f"{words}; check that this is the right club, and that no marker moved since calibration"
 
 
-def _exchanged(order: NDArray[np.int64], names: Sequence[str]) -> tuple[str, ...]:
+def _swapped_markers(order: NDArray[np.int64], names: Sequence[str]) -> tuple[str, ...]:
     """Return the markers that are exchanged."""
     return tuple(names[place] for place, source in enumerate(order) if place != source)

@@ -174,12 +174,12 @@ def _shapes(elastic: Any, mass: Any, tip: Any, turn: Any, count: int) -> tuple[A
     loads[:6] = np.transpose([*across, *moments])
     static = np.linalg.solve(elastic, loads)
     natural = natural_modes(elastic, mass)[1][:, : max(0, count - STATIC_SHAPES)]
-    basis = np.linalg.qr(np.concatenate([_of_unit_mass(static, mass), natural], axis=1))[0]
+    basis = np.linalg.qr(np.concatenate([_normalise_mass(static, mass), natural], axis=1))[0]
     squares, combined = natural_modes(basis.T @ elastic @ basis, basis.T @ mass @ basis)
     return squares[:count], basis @ combined[:, :count]
 
 
-def _of_unit_mass(shapes: Any, mass: Any) -> Any:
+def _normalise_mass(shapes: Any, mass: Any) -> Any:
     return shapes / np.sqrt(np.einsum("im,ij,jm->m", shapes, mass, shapes))
 
 
@@ -195,11 +195,11 @@ def attached_inputs(club: Club, shaft: Shaft) -> Callable[[Any, Any], dict[str, 
     size = len(shaft.position)
 
     def values(stiffness: Any) -> Any:
-        return np.array(list(added_inputs(_stiffened(shaft, np.asarray(stiffness)).added_inertia(club)).values()))
+        return np.array(list(added_inputs(_with_stiffness(shaft, np.asarray(stiffness)).added_inertia(club)).values()))
 
     def values_and_jacobian(stiffness: Any) -> tuple[Any, Any]:
         given = np.asarray(stiffness)
-        derivatives = _derivatives(club, _stiffened(shaft, given))
+        derivatives = _derivatives(club, _with_stiffness(shaft, given))
         rows = [list(added_inputs(tuple(map(tuple, each))).values()) for each in derivatives]
         return values(given), np.transpose(rows)
 
@@ -225,7 +225,7 @@ def attached_inputs(club: Club, shaft: Shaft) -> Callable[[Any, Any], dict[str, 
     return inputs
 
 
-def _stiffened(shaft: Shaft, stiffness: Any) -> Shaft:
+def _with_stiffness(shaft: Shaft, stiffness: Any) -> Shaft:
     """Return the shaft with other stiffness; EA follows EI unless it was given."""
     bending, torsional = np.split(stiffness, 2)
     return shaft.replace(bending_stiffness=bending.tolist(), torsional_stiffness=torsional.tolist())

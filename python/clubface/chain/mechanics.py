@@ -96,7 +96,7 @@ def mechanism_of(
     grip = slender(pieces.grip_mass, pieces.grip_cg, pieces.grip_inertia)
     *others, last = (slender(*each) for each in zip(pieces.mass, pieces.cg, pieces.inertia, strict=True))
     *segments, hand = ((each.mass, each.cg, each.inertia) for each in golfer.segments)
-    bodies = [*segments, _together(hand, grip), *others, _together(last, (club.mass, head, np.array(club.inertia)))]
+    bodies = [*segments, _combine(hand, grip), *others, _combine(last, (club.mass, head, np.array(club.inertia)))]
     mass, cg, inertia = (np.array(each) for each in zip(*bodies, strict=True))
     names = (*(each.name for each in golfer.segments), *(f"shaft{link}" for link in range(links - 1)), "head")
     joint = np.concatenate([[each.joint for each in golfer.segments], np.outer(pieces.joint, down)])
@@ -104,7 +104,7 @@ def mechanism_of(
     return Mechanism(names, axis, flexible.turn.transpose(1, 2, 0), joint, mass, cg, inertia, head, damping)
 
 
-def _together(one: Any, other: Any) -> tuple[float, Any, Any]:
+def _combine(one: Any, other: Any) -> tuple[float, Any, Any]:
     """Combine mass, CG and inertia of two bodies."""
     mass = one[0] + other[0]
     cg = (one[0] * one[1] + other[0] * other[1]) / mass
@@ -151,7 +151,7 @@ def _frames(mechanism: Mechanism, coordinates: Any) -> _Frames:
     return _Frames(rotation, cross, jnp.concatenate([none, second]), jnp.concatenate([none, third]))
 
 
-def _reached(mechanism: Mechanism) -> Any:
+def _moved_bodies(mechanism: Mechanism) -> Any:
     """Return which bodies (rows) each joint (columns) moves."""
     return np.tril(np.ones((len(mechanism.mass),) * 2))
 
@@ -166,7 +166,7 @@ def pose(mechanism: Mechanism, coordinates: Any) -> tuple[Any, Any]:
 def _joints(mechanism: Mechanism, rotation: Any) -> Any:
     """Return the positions of hinges and bends [m], shape (bodies, 3)."""
     step = jnp.einsum("bij,bj->bi", rotation[:-1], np.diff(mechanism.joint, axis=0))
-    onward = jnp.asarray(_reached(mechanism)[:-1, :-1] @ step)
+    onward = jnp.asarray(_moved_bodies(mechanism)[:-1, :-1] @ step)
     return jnp.concatenate([jnp.asarray(mechanism.joint[:1]), mechanism.joint[:1] + onward])
 
 
@@ -202,7 +202,7 @@ def _velocities(mechanism: Mechanism, coordinates: Any, rates: Any) -> tuple[Any
     twice = jnp.einsum("bij,bj->bi", cross, once)
     own = own + second[:, None] * once + third[:, None] * twice
     before = jnp.concatenate([jnp.eye(3)[None], rotation[:-1]])
-    reached = _reached(mechanism)
+    reached = _moved_bodies(mechanism)
     spin = jnp.einsum("bij,bi->bj", rotation, reached @ jnp.einsum("bij,bj->bi", before, own))
     onward = jnp.cross(spin[:-1], np.diff(mechanism.joint, axis=0))
     onward = reached[:-1, :-1] @ jnp.einsum("bij,bj->bi", rotation[:-1], onward)

@@ -136,7 +136,7 @@ FRICTION_LIMITS = (0.0, 10.0)
 COVER_FRICTION = PhysicalValue("1", *FRICTION_LIMITS)
 
 
-def _checked_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
+def _check_parameters(given: dict[str, Any], place: Place) -> Mapping[str, Mapping[str, float]]:
     """Return parameter values [SI] by model, checked against the model's bounds."""
     result: dict[str, Frozen[str, float]] = {}
     for name, values in given.items():
@@ -168,7 +168,7 @@ class Ball(EquipmentItem):
         COVER_FRICTION, "coefficient between cover and clubface", example="0.35", default=None
     )
     parameters: Mapping[str, Mapping[str, float]] = file_key(
-        Record(Record(Simple()), make=_checked_parameters),
+        Record(Record(Simple()), make=_check_parameters),
         "parameter values, one table per model",
         default_factory=dict,
         hash=False,

@@ -134,11 +134,11 @@ class Model:
     @property
     def laws_in_words(self) -> str:
         """Laws it obeys, and those it obeys only if a parameter is zero, in words."""
-        always = _listed(self.laws)
+        always = _list_laws(self.laws)
         if self.laws_without is None:
             return always
         parameter, more = self.laws_without
-        return f"{always}; with {parameter} = 0 also {_listed(more)}"
+        return f"{always}; with {parameter} = 0 also {_list_laws(more)}"
 
     def parameter(self, name: str) -> Parameter:
         """Return the parameter called ``name``."""
@@ -179,7 +179,7 @@ def models_with(parameter: str) -> list[str]:
     return [name for name, each in models().items() if any(parameter == one.name for one in each.parameters)]
 
 
-def _listed(laws: tuple[str, ...]) -> str:
+def _list_laws(laws: tuple[str, ...]) -> str:
     return ", ".join(each.replace("_", " ") for each in laws) or "none"
 
 

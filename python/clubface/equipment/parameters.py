@@ -130,7 +130,7 @@ def ends_in_words(name: str, limits: Range) -> str:
 FAMILIES = ("driver", "7-iron", "any")
 
 
-def _made_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
+def _make_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
     """Return the contents of a table [[set]], with values checked for its model."""
     kinds = {each.name: ParameterValue(each) for each in model(given["model"]).parameters}
     given["values"] = Record(kinds, kinds).read(given["values"], place.key("values"))
@@ -153,7 +153,7 @@ SET = Record(
         "value_caveats": Record(TEXT),
     },
     required=("model", "club", "values"),
-    make=_made_set,
+    make=_make_set,
 )
 
 
@@ -241,9 +241,9 @@ class ParameterSet:
         )
         if self.model in MODULES:
             object.__setattr__(self, "includes_face", False)
-        object.__setattr__(self, "characteristic_time", self._included())
+        object.__setattr__(self, "characteristic_time", self._included_time())
 
-    def _included(self) -> float | None:
+    def _included_time(self) -> float | None:
         """Return the characteristic time of the included face, checked."""
         if self.characteristic_time is None or not self.includes_face:
             return None

@@ -291,15 +291,15 @@ def ball(source: str | os.PathLike[str] | Ball | RigidBall | None = None) -> Bal
     if isinstance(source, Ball):
         return source
     if isinstance(source, RigidBall):
-        return _of_rigid(source)
+        return _from_rigid(source)
     path = path_of("ball", DEFAULT_BALL if source is None else source, FOLDER)
     document = Document.read(path)
     if "pieces" not in document.data and not is_path(source):
-        raise _no_pieces(source)
+        raise _no_pieces_error(source)
     return from_document(document)
 
 
-def _of_rigid(given: RigidBall) -> Ball:
+def _from_rigid(given: RigidBall) -> Ball:
     made = given.construction
     if isinstance(made, Construction):
         with without_warnings():
@@ -308,7 +308,7 @@ def _of_rigid(given: RigidBall) -> Ball:
     elif isinstance(made, Ball):
         read = made.rigid
     else:
-        raise _no_pieces(given.name)
+        raise _no_pieces_error(given.name)
     changes: dict[str, Any] = {} if given.mass == read.mass else {"mass": given.mass}
     if given.radius != read.radius:
         changes["diameter"] = 2.0 * given.radius
@@ -317,7 +317,7 @@ def _of_rigid(given: RigidBall) -> Ball:
     return replace(made, **changes) if changes else made
 
 
-def _no_pieces(name: object) -> InputError:
+def _no_pieces_error(name: object) -> InputError:
     allowed = f"for fem, one made of pieces ({', '.join(ball_names())}); or leave fem out of the models"
     return InputError("ball", name, allowed)
 

@@ -124,7 +124,7 @@ class Energy:
             core.fem_check_law(ENERGY, values, self.text)
         except ValueError as error:
             name, value, allowed = error.args
-            raise InputError(name.removesuffix(f" of {ENERGY}"), Wording(value), _allowed(allowed)) from None
+            raise InputError(name.removesuffix(f" of {ENERGY}"), Wording(value), _reword_allowed(allowed)) from None
         unstable = core.fem_energy_instability(self.text, values)
         if unstable is not None:
             mode, stretch, undefined = unstable
@@ -143,14 +143,14 @@ class Energy:
 
 
 def check_volumetric(text: str) -> None:
-    """Raise InputError for an energy of the change of volume that is unreadable or has a stress at rest."""
+    """Raise InputError for an energy of the change of volume that is unreadable or impossible at rest."""
     if not isinstance(text, str):
         raise InputError("volumetric", text, 'an expression in quotes, as in "bulk/4*(J^2 - 1 - 2*log(J))"')
     try:
         core.fem_volumetric(text, 1.0, [])
     except ValueError as error:
         name, value, allowed = error.args if len(error.args) == 3 else ("volumetric", text, "text of letters")
-        raise InputError(name, Wording(value), _allowed(allowed)) from None
+        raise InputError(name, Wording(value), _reword_allowed(allowed)) from None
 
 
 @lru_cache(maxsize=256)
@@ -159,10 +159,10 @@ def _read(text: str) -> Energy:
         return Energy(text, tuple(core.fem_energy(text)))
     except ValueError as error:
         allowed = error.args[2] if len(error.args) == 3 else "text of letters that can be written"
-        raise InputError("energy", text, _allowed(allowed)) from None
+        raise InputError("energy", text, _reword_allowed(allowed)) from None
 
 
-def _allowed(allowed: str) -> str:
+def _reword_allowed(allowed: str) -> str:
     """Return the core's text on what is allowed, worded for an InputError."""
     return allowed.removeprefix("it must be ") if "at character" not in allowed else f"readable: {allowed}"
 

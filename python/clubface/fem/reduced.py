@@ -107,7 +107,7 @@ def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     return Equivalent(model, parameters, time, force, reference, error, float(over.time[-1]), float(run.contact_time))
 
 
-def _averaged(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
+def _smooth(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
     """Smooth a history of the contact with a moving average over a tenth of the contact.
 
     A mesh makes contact node by node, a simple model all at once: differences within the time between two rings of
@@ -121,7 +121,7 @@ def _averaged(run: Impact, values: NDArray[Any]) -> NDArray[Any]:
 def _normal_force(run: Impact) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return the times within the contact and the smoothed normal force."""
     within = run.contact["time"] <= run.contact_time
-    return run.contact["time"][within], _averaged(run, run.contact["normal"])[within]
+    return run.contact["time"][within], _smooth(run, run.contact["normal"])[within]
 
 
 SLIDES = 0.1
@@ -177,10 +177,10 @@ def area_term(run: Impact) -> AreaTerm:
         raise InputError("impact", run, "a complete impact")
     over = run.contact["time"]
     last, motion = run.contact_time, run.motion
-    area = _averaged(run, run.contact["area"])
+    area = _smooth(run, run.contact["area"])
     within = (over > WITHIN[0] * last) & (over < WITHIN[1] * last)
-    rate = _averaged(run, np.gradient(area, over[1] - over[0]))
-    curves = (_averaged(run, run.contact["normal"]), _averaged(run, run.contact["tangential"]), area, rate)
+    rate = _smooth(run, np.gradient(area, over[1] - over[0]))
+    curves = (_smooth(run, run.contact["normal"]), _smooth(run, run.contact["tangential"]), area, rate)
     normal, tangential, area, rate = (each[within] for each in curves)
     time = over[within]
     slip = run.relative_velocity()[:, 1] - motion["spin"][:, 2] * motion["radius"]

@@ -397,7 +397,7 @@ class SurfaceRecovery:
             if near.size == 0:
                 return own, np.full(len(own), 1.0 / len(own)), False
             middle = near[((nodes[near] - nodes[node]) ** 2).sum(axis=1).argmin()]
-            return around[middle], _shares_at(nodes[node], nodes[middle], centres[around[middle]]), True
+            return around[middle], _fit_weights(nodes[node], nodes[middle], centres[around[middle]]), True
 
         @cache
         def at_corner(node: int) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -405,7 +405,7 @@ class SurfaceRecovery:
             patch = around[node]
             if len(patch) < FEWEST:
                 patch = np.unique(np.concatenate([around[each] for each in nodes_round(patch)]))
-            return patch, _shares_at(nodes[node], nodes[node], centres[patch])
+            return patch, _fit_weights(nodes[node], nodes[node], centres[patch])
 
         def of_tetrahedra(node: int) -> Patch:
             """Return the patch of a corner; a mid-edge node averages those of the edge's ends."""
@@ -429,7 +429,7 @@ Patch = tuple[NDArray[Any], NDArray[Any], bool]
 """Elements, their weights for a surface node, and whether they extrapolate from inside."""
 
 
-def _shares_at(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any]) -> NDArray[Any]:
+def _fit_weights(place: NDArray[Any], middle: NDArray[Any], centres: NDArray[Any]) -> NDArray[Any]:
     """Return the weights of elements in a linear fit about ``middle``, evaluated at ``place``."""
     away, there = centres - middle, place - middle
     size = abs(away).max()

@@ -207,7 +207,7 @@ class SyntheticSwing:
         """Return CG position [m] and attitude (club to world axes) at times [s], for a right-hander."""
         time = np.asarray(time, dtype=np.float64)
         position, rotation = self.chain.pose(time)
-        gained = _gained(time)[..., None]
+        gained = _displacement(time)[..., None]
         back = np.exp(-RESTRAINT * np.maximum(time, 0.0))[..., None]
         attitude = exponential(gained * back * self.slowed[1]) @ self.turned @ rotation @ self.fixed
         return position @ self.turned.T + self.moved + gained * self.slowed[0], attitude
@@ -226,7 +226,7 @@ class SyntheticSwing:
         """Return the ball's centre in the world [m] at times [s], shape (times, 3)."""
         time = np.asarray(time, dtype=np.float64)
         fallen = 0.5 * GRAVITY * np.maximum(time, 0.0)[..., None] ** 2 * np.array([0.0, 1.0, 0.0])
-        return (self.rest + _gained(time)[..., None] * self.struck - fallen) * self.mirror
+        return (self.rest + _displacement(time)[..., None] * self.struck - fallen) * self.mirror
 
     @property
     def mirror(self) -> Array:
@@ -257,7 +257,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
     position, rotation, velocity, spin = motion(chain)
     attack, path = asked["attack"], asked["path"]
     aim = np.array([math.cos(attack) * math.cos(path), math.sin(attack), math.cos(attack) * math.sin(path)])
-    turned = _between(velocity / np.linalg.norm(velocity), aim)
+    turned = _rotation_between(velocity / np.linalg.norm(velocity), aim)
     attitude = delivered(asked["loft"], asked["face"], asked["lie"], club.loft)
     velocity, spin = turned @ velocity, turned @ spin
     # All for a right-hander; the launch of a left-hander is its mirror image.
@@ -288,14 +288,14 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
     )
 
 
-def _between(start: Array, end: Array) -> Array:
+def _rotation_between(start: Array, end: Array) -> Array:
     """Return the smallest rotation from one unit vector to another."""
     axis = np.cross(start, end)
     sine = float(np.linalg.norm(axis))
     return exponential(axis * (math.atan2(sine, float(start @ end)) / sine)) if sine > 0.0 else np.eye(3)
 
 
-def _gained(time: Array) -> Array:
+def _displacement(time: Array) -> Array:
     """Return the distance [m] moved by a body that impact accelerates by 1 m/s, for a half-sine force over contact."""
     part = np.clip(time / CONTACT_TIME, 0.0, 1.0)
     return 0.5 * CONTACT_TIME * (part - np.sin(np.pi * part) / np.pi) + np.maximum(time - CONTACT_TIME, 0.0)

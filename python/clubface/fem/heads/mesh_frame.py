@@ -175,15 +175,16 @@ def _check_axes(normal: NDArray[Any], expected: NDArray[Any], file: str) -> None
         turned = np.array([sign * normal[axis] for axis, sign in zip(order, signs, strict=True)])
         if changes and apart(turned) <= 2.0 * ANGLE:
             axes = ["".join(("-" if sign < 0 else "", "xyz"[axis])) for axis, sign in zip(order, signs, strict=True)]
-            what = _described(order, signs)
+            what = _describe_axes(order, signs)
             message = (
-                f"x to the target, y up and z to the toe: the face of {file} points along ({_shown(normal)}), but"
-                f" ({_shown(expected)}) is expected; it seems that {what}; write ({', '.join(axes)}) as x, y, z"
+                f"x to the target, y up and z to the toe: the face of {file} points along ({_format_vector(normal)}),"
+                f" but ({_format_vector(expected)}) is expected; it seems that {what}; write ({', '.join(axes)}) as"
+                " x, y, z"
             )
             raise InputError("axes of the mesh", None, message)
 
 
-def _described(order: Sequence[int], signs: Sequence[float]) -> str:
+def _describe_axes(order: Sequence[int], signs: Sequence[float]) -> str:
     moved = [each for place, each in enumerate(order) if place != each]
     reversed_ = ["xyz"[axis] for axis, sign in zip(order, signs, strict=True) if sign < 0.0]
     words = []
@@ -196,7 +197,7 @@ def _described(order: Sequence[int], signs: Sequence[float]) -> str:
     return " and ".join(words)
 
 
-def _shown(direction: NDArray[Any]) -> str:
+def _format_vector(direction: NDArray[Any]) -> str:
     return ", ".join(f"{each + 0.0:.2f}" for each in direction)
 
 

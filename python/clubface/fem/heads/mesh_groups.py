@@ -122,11 +122,11 @@ def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
                 raise mesh.error(message)
             places[rows] = place
     if (places < 0).any():
-        _refuse_rest(mesh, groups, places)
+        _raise_unassigned(mesh, groups, places)
     counts = np.bincount(places, minlength=len(groups))
     if not counts.all():
         empty = groups[int(np.argmin(counts))].name
-        raise mesh.error(f"no element belongs to the group {empty!r}; {_listed(mesh)}")
+        raise mesh.error(f"no element belongs to the group {empty!r}; {_list_sets(mesh)}")
     return places
 
 
@@ -138,7 +138,7 @@ def _sets_of(mesh: Mesh, group: Group) -> list[str]:
             name = mesh.aliases[name]
         if name not in mesh.sets:
             known = {**{each: each for each in mesh.sets}, **mesh.aliases}
-            like = {known[each] for each in known if _plain(each) == _plain(name)}
+            like = {known[each] for each in known if _normalise_name(each) == _normalise_name(name)}
             name = like.pop() if len(like) == 1 else name
         if name in mesh.sets:
             names.append(name)
@@ -147,7 +147,7 @@ def _sets_of(mesh: Mesh, group: Group) -> list[str]:
     return names
 
 
-def _plain(name: str) -> str:
+def _normalise_name(name: str) -> str:
     return re.sub(r"[\s_-]+", "_", name.strip()).casefold()
 
 
@@ -160,7 +160,7 @@ def _by_order(mesh: Mesh, count: int) -> list[str]:
     return sorted(names, key=int) if len(whole) == len(np.unique(whole)) == len(mesh.corners) else []
 
 
-def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> None:
+def _raise_unassigned(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> None:
     """Raise the error that says which elements belong to no group, and how to assign them."""
     rest = np.flatnonzero(places < 0)
     holders = {name: int(np.isin(rest, rows).sum()) for name, rows in mesh.sets.items() if not OWN.match(name)}
@@ -169,14 +169,14 @@ def _refuse_rest(mesh: Mesh, groups: Sequence[Group], places: NDArray[Any]) -> N
         most = max(holders, key=lambda name: holders[name])
         message = str(UnknownNameError("group of the mesh", most, tuple(group.name for group in groups)))
         advice = f"its {holders[most]} elements need a group: name it under [[groups]], or list it in sets = [..]"
-        raise mesh.error(f"{message}; {advice}; {_listed(mesh)}")
+        raise mesh.error(f"{message}; {advice}; {_list_sets(mesh)}")
     message = f"element {mesh.ids[rest[0]]} belongs to no group"
     if len(rest) > 1:
         message += f", and {len(rest) - 1} more do not"
-    raise mesh.error(f"{message}; name physical groups or sets of elements in the mesh; {_listed(mesh)}")
+    raise mesh.error(f"{message}; name physical groups or sets of elements in the mesh; {_list_sets(mesh)}")
 
 
-def _listed(mesh: Mesh) -> str:
+def _list_sets(mesh: Mesh) -> str:
     """List the sets of a file, for messages."""
     names = [f"{name} ({len(rows)})" for name, rows in mesh.sets.items() if len(rows) and not OWN.match(name)]
     if not names:
@@ -195,9 +195,11 @@ def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
     """
     if (solids := mesh.solids) is None or not len(solids.ids):
         return False
-    wanted = {_plain(name) for group in groups for name in (group.sets or (group.name,))}
+    wanted = {_normalise_name(name) for group in groups for name in (group.sets or (group.name,))}
     known = {name: {name} | {alias for alias, real in mesh.aliases.items() if real == name} for name in solids.sets}
-    named = any(_plain(each) in wanted for name, rows in solids.sets.items() if len(rows) for each in known[name])
+    named = any(
+        _normalise_name(each) in wanted for name, rows in solids.sets.items() if len(rows) for each in known[name]
+    )
     thick = next((group for group in groups if group.thickness is not None), None)
     if len(mesh.corners) and (thick or not named):
         kinds = Counter(SOLIDS[int(count)] for count in (solids.corners >= 0).sum(axis=1))

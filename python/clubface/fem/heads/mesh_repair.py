@@ -76,7 +76,7 @@ def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any]) -> Shells:
     _check_doubles(shells)
     _cut_bad_quadrilaterals(shells)
     _turn_outward(shells, face)
-    _split(shells)
+    _split_triangles(shells)
     return shells
 
 
@@ -193,7 +193,7 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
     order = np.argsort(edge, kind="stable")
     pairs = order[np.repeat(count == 2, count)].reshape(-1, 2)
     same = (nodes[pairs[:, 0]] == nodes[pairs[:, 1]]).all(axis=1)
-    flip, piece = _consistent(len(shells.corners), element[pairs], same)
+    flip, piece = _orient_pieces(len(shells.corners), element[pairs], same)
     _check_pieces(shells, piece)
     _note_open_edges(shells, keys[count == 1], element[order][np.repeat(count == 1, count)])
     area = _area_vectors(shells) * np.where(flip, -1.0, 1.0)[:, None]
@@ -211,7 +211,7 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
             flip[own] ^= True
     if not flip.any():
         return
-    shells.corners[flip] = _reversed(shells.corners[flip])
+    shells.corners[flip] = _reverse(shells.corners[flip])
     parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
     shells.mesh.notes.append(
         f"the normals of {parts} elements pointed inward and were reversed, starting with element {shells.ids[flip][0]}"
@@ -250,11 +250,11 @@ def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any])
     )
 
 
-def _reversed(corners: NDArray[Any]) -> NDArray[Any]:
+def _reverse(corners: NDArray[Any]) -> NDArray[Any]:
     return np.where(corners[:, 3:] < 0, corners[:, [0, 2, 1, 3]], corners[:, [0, 3, 2, 1]])
 
 
-def _consistent(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+def _orient_pieces(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return which elements to reverse so that neighbours agree within each piece, and the piece of each element."""
     neighbours: list[list[tuple[int, bool]]] = [[] for _ in range(count)]
     for (one, other), alike in zip(pairs.tolist(), same.tolist(), strict=True):
@@ -335,7 +335,7 @@ def _cut_bad_quadrilaterals(shells: Shells) -> None:
     )
 
 
-def _split(shells: Shells) -> None:
+def _split_triangles(shells: Shells) -> None:
     """Split triangles into three quadrilaterals at their edge midpoints, and quadrilaterals between them to match.
 
     A quadrilateral with a midpoint on one edge gets one on another edge too, and so on to the next triangle, so that
@@ -349,7 +349,7 @@ def _split(shells: Shells) -> None:
     edge = edge.reshape(-1)
     of_place = np.full((len(shells.corners), 4), -1)
     of_place[element, place] = edge
-    marked = _marked(of_place, triangles, len(keys))
+    marked = _edges_to_halve(of_place, triangles, len(keys))
     middle = np.full(len(keys), -1)
     middle[marked] = len(shells.points) + np.arange(int(marked.sum()))
     points = [shells.points, shells.points[keys[marked]].mean(axis=1)]
@@ -396,7 +396,7 @@ def _split(shells: Shells) -> None:
     shells.mesh.notes.append(text)
 
 
-def _marked(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[Any]:
+def _edges_to_halve(of_place: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[Any]:
     """Return the edges to halve: all edges of triangles, and as few others as give each quadrilateral an even number.
 
     From a quadrilateral with an odd number, a path leads through neighbours to the nearest other such one or to the

@@ -154,7 +154,7 @@ class MeshHead:
         of_group, is_face = assign(mesh, self.groups), np.array([group.face for group in self.groups])
         mesh.thickness, metals = walls(mesh, self.groups, of_group, self.unit)
         shells = repaired(mesh, of_group, is_face)
-        nodes = self._placed(shells.points)
+        nodes = self._from_face_centre(shells.points)
         masses, at_nodes = self._masses(mesh, nodes)
         face = is_face[shells.group]
         groups = [np.unique(shells.corners[shells.group == place]) for place in range(len(self.groups))]
@@ -168,7 +168,7 @@ class MeshHead:
         metal = sums_at_nodes(shells.corners, 0.25 * weights, len(nodes))
         head = ShellHead(
             quads=shells.corners, thickness=shells.thickness, parts=parts,
-            **self._carrying(mesh, nodes, metal + at_nodes, at_nodes, face, masses),
+            **self._common_fields(mesh, nodes, metal + at_nodes, at_nodes, face, masses),
         )  # fmt: skip
         _weigh(head, shells.ids, shells.node_ids)
         return head
@@ -179,7 +179,7 @@ class MeshHead:
         metals = metals_of(mesh, self.groups, of_group, self.unit)
         names = [group.name for group in self.groups]
         solids = solids_of_mesh(mesh, of_group, names, metals, self.bonds)
-        nodes = self._placed(solids.points)
+        nodes = self._from_face_centre(solids.points)
         masses, at_nodes = self._masses(mesh, nodes)
         of_face = [part for group, part in zip(self.groups, solids.parts, strict=True) if group.face]
         # Interfaces between two parts of the face are not outer sides.
@@ -194,12 +194,12 @@ class MeshHead:
         metal = solids.metal_at_nodes(units.parse(f"1 {self.unit}", "length"))
         head = SolidHead(
             parts=solids.parts, face=face, bonds=self.bonds, element=self.element,
-            **self._carrying(mesh, nodes, metal + at_nodes, at_nodes, np.unique(face), masses, negligible=1e-2),
+            **self._common_fields(mesh, nodes, metal + at_nodes, at_nodes, np.unique(face), masses, negligible=1e-2),
         )  # fmt: skip
         _weigh(head, solids.ids, solids.node_ids)
         return head
 
-    def _carrying(self, mesh: Mesh, nodes: NDArray[Any], metal: NDArray[Any], at_nodes: NDArray[Any],
+    def _common_fields(self, mesh: Mesh, nodes: NDArray[Any], metal: NDArray[Any], at_nodes: NDArray[Any],
                   face: NDArray[Any], masses: Mapping[str, Place], **negligible: float) -> dict[str, Any]:  # fmt: skip
         """Return the fields common to both kinds of head: name, shape, nodes, and added masses at nodes."""
         carried = spread(masses, nodes, metal, face)
@@ -208,7 +208,7 @@ class MeshHead:
         own = {name: getattr(self, name) for name in ("name", "description", "loft", "bulge", "roll")}
         return own | {"nodes": nodes, "added": carried.added + at_nodes}
 
-    def _placed(self, points: NDArray[Any]) -> NDArray[Any]:
+    def _from_face_centre(self, points: NDArray[Any]) -> NDArray[Any]:
         """Return points of the file relative to the face centre [m]."""
         self._check_unit(float(np.ptp(points, axis=0).max()))
         size = units.parse(f"1 {self.unit}", "length")

@@ -246,7 +246,7 @@ class AbaqusReader(MeshBuilder):
 
         def moved(place: Sequence[float]) -> Sequence[float]:
             place = [a + b for a, b in zip(place, shift, strict=True)]
-            return place if not turn else _turned(place, turn[:3], turn[3:6], math.radians(turn[6]))
+            return place if not turn else _rotate(place, turn[:3], turn[3:6], math.radians(turn[6]))
 
         return moved
 
@@ -262,7 +262,7 @@ def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]
     return numbers
 
 
-def _turned(place: Sequence[float], start: Sequence[float], end: Sequence[float], angle: float) -> list[float]:
+def _rotate(place: Sequence[float], start: Sequence[float], end: Sequence[float], angle: float) -> list[float]:
     """Rotate a point about the line from one point to another by an angle [rad] (Rodrigues)."""
     length = math.dist(start, end)
     if length == 0.0:
