@@ -144,7 +144,7 @@ _MOVED = {
     "measurements": "published_data",
     "motion_capture": "capture",
 }
-"""The new name of each public module that was renamed; the old ones go on working, with a warning."""
+"""The new name of each renamed public module; the old names still work, with a warning."""
 
 __all__ = [*_HOME, *_MODULES]  # pyright: ignore[reportUnsupportedDunderAll]
 
@@ -160,14 +160,14 @@ def __getattr__(name: str) -> Any:
 
 
 class _MovedModules:
-    """Imports modules by their old names, and warns of the new ones."""
+    """Imports modules under their old names, with a warning that gives the new name."""
 
     def __init__(self, name: str = "") -> None:
         self.name = name
 
     @classmethod
     def find_spec(cls, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
-        """Return how to import a module that was renamed, or one in a package that was."""
+        """Return the spec of a renamed module, or of a module in a renamed package."""
         for old, new in _MOVED.items():
             if f"{name}.".startswith(f"clubface.{old}."):
                 home = name.replace(f"clubface.{old}", f"clubface.{new}", 1)
@@ -175,7 +175,7 @@ class _MovedModules:
         return None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """Return the module of the new name."""
+        """Return the module under its new name."""
         from clubface.support.renamed import warn_renamed
 
         warn_renamed(spec.name, self.name)

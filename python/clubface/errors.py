@@ -1,7 +1,7 @@
-"""Errors that say how to fix them: the parameter, its value, what is allowed, and the line.
+"""Errors that say how to fix them: with the parameter, its value, what is allowed, and the line.
 
-Every error of the package is a :class:`ClubfaceError`; those about a value are a ``ValueError`` as well, so
-that code which knows nothing of clubface still catches them.
+Every error of the package is a :class:`ClubfaceError`; those about a value are also a ``ValueError``, so that code
+unaware of clubface catches them.
 """
 
 from __future__ import annotations
@@ -38,31 +38,31 @@ EXTRAS = {
 
 
 class ClubfaceError(Exception):
-    """The root of every error clubface raises on purpose.
+    """Base class of all errors that clubface raises on purpose.
 
-    Its text is one line, and whatever it repeats of what was given is cut to a part of one.
+    Its text is a single line; quoted input is shortened.
     """
 
     def __str__(self) -> str:
         return in_a_line(self._message())
 
     def _message(self) -> str:
-        """Return the message in full length."""
+        """Return the full message."""
         return super().__str__()
 
 
 _LINE = 100
-"""Longest quotation in a message of text from a file, a caller or another program [characters]."""
+"""Maximum length of text quoted in a message, from a file, a caller or another program [characters]."""
 _LONGEST = 1000
-"""Longest message [characters]; the longest of the package's own are lists of names."""
+"""Maximum length of a message [characters]; the longest of the package itself are lists of names."""
 
 
 _ADVICE = ("give ", "leave ", "use ", "keep ")
-"""Starts of sentences that say what to do instead."""
+"""Starts of ``allowed`` texts that are sentences of their own."""
 
 
 _MOST, _FIRST = 60, 10
-"""Largest number of names listed in full, and the number listed if there are more."""
+"""Maximum number of names listed in full, and number listed if there are more."""
 
 
 class Wording(str):
@@ -80,12 +80,12 @@ class InputError(ClubfaceError, ValueError):
     Attributes
     ----------
     parameter
-        The name of the quantity, as the caller wrote it.
+        Name of the quantity, as the caller wrote it.
     value
-        The value that was given.
+        The given value.
     allowed
-        What would have been accepted, completing the sentence "it must be ..."; or a sentence of its own, which begins
-        with "give", "leave", "use" or "keep".
+        What is allowed, as the end of "it must be ..."; or a sentence that starts with "give", "leave", "use" or
+        "keep".
     """
 
     def __init__(self, parameter: str, value: object, allowed: str) -> None:
@@ -105,15 +105,15 @@ class ShotError(InputError):
     Attributes
     ----------
     parameter
-        The name of the input at fault.
+        Name of the input at fault.
     value
         Its value [SI].
     allowed
-        The value in practical units and what would have been accepted.
+        The value in practical units and what is allowed.
     row
-        The index of the shot in its batch; empty for a single shot.
+        Index of the shot in its batch; empty for a single shot.
     others
-        How many more shots of the batch cannot be computed.
+        Number of further shots of the batch that cannot be computed.
     """
 
     def __init__(self, parameter: str, value: object, allowed: str, row: tuple[int, ...] = (), others: int = 0) -> None:
@@ -129,18 +129,18 @@ class ShotError(InputError):
 
 
 class UnitError(InputError):
-    """A unit that is unknown or that belongs to another kind of quantity."""
+    """A unit that is unknown or has another dimension."""
 
 
 class UnknownNameError(InputError, KeyError):
-    """A name (of a club, ball, model, parameter, key) that does not exist; the nearest ones are named.
+    """A name of a club, ball, model, parameter or key that does not exist; the nearest names are suggested.
 
     Attributes
     ----------
     known
-        The names that exist.
+        The existing names.
     nearest
-        Those that resemble the one given, the best first.
+        Names that resemble the given one, best first.
     """
 
     def __init__(self, parameter: str, value: object, known: Iterable[str]) -> None:
@@ -161,11 +161,11 @@ class FileError(ClubfaceError, ValueError):
     path
         The file.
     line
-        The line, counted from 1, or None where it is not known.
+        The line, counted from 1, or None if unknown.
     message
         What is wrong there.
     parameter
-        The key it is about, or None.
+        The key at fault, or None.
     """
 
     def __init__(self, path: str, line: int | None, message: str, parameter: str | None = None) -> None:
@@ -181,7 +181,7 @@ class FileError(ClubfaceError, ValueError):
 
 
 class LinkError(ClubfaceError, ConnectionError):
-    """A connection to another program that cannot be made, is lost, or on which no answer comes.
+    """A connection to another program that cannot be made, is lost, or gives no answer.
 
     Attributes
     ----------
@@ -208,11 +208,11 @@ class RunError(ClubfaceError, RuntimeError):
 
 
 class RuleWarning(UserWarning):
-    """A club or ball outside the Rules of Golf; it is computed anyway."""
+    """A club or ball does not conform to the Rules of Golf; it is computed anyway."""
 
 
 class RangeWarning(UserWarning):
-    """A shot outside the range of a model or its parameters; it is computed anyway."""
+    """A shot is outside the range of a model or its parameters; it is computed anyway."""
 
 
 class AssumptionWarning(UserWarning):
@@ -220,7 +220,7 @@ class AssumptionWarning(UserWarning):
 
 
 class ImplausibleWarning(UserWarning):
-    """A value no real club has, most often a unit left out (``mass = 204`` means 204 kg)."""
+    """A value that no real club has, usually for lack of a unit (``mass = 204`` means 204 kg)."""
 
 
 class TargetWarning(UserWarning):
@@ -260,7 +260,7 @@ def in_a_line(text: str) -> str:
         return text
     import re
 
-    # A quotation begins and ends where no letter stands on its outer side: an apostrophe is none.
+    # A quotation mark has no letter on its outer side, unlike an apostrophe.
     long = rf"(?<!\w)'(?:[^'\\]|\\.){{{_LINE},}}'(?!\w)|(?<!\w)\"(?:[^\"\\]|\\.){{{_LINE},}}\"(?!\w)|\S{{{2 * _LINE},}}"
     text = re.sub(long, lambda result: shortened(result[0], _LINE), text, flags=re.DOTALL)
     text = shortened(text, _LONGEST)
@@ -268,10 +268,10 @@ def in_a_line(text: str) -> str:
 
 
 def legible(text: str, keep: str = "") -> str:
-    """Return a text in which every character is visible; all text for a screen, a page or a table goes through here.
+    """Escape invisible characters of a text; all text for a screen, a page or a table passes through here.
 
-    Control characters, marks that turn the direction of a text round or have no width, and bytes of names that are no
-    text are written as escapes; ``keep`` are characters that may stay, such as ends of lines.
+    Escapes control characters, characters that change the text direction or have no width, and bytes of names that are
+    not text; ``keep`` are characters to keep, such as line breaks.
     """
     plain = text
     for each in keep:
@@ -284,11 +284,11 @@ def legible(text: str, keep: str = "") -> str:
 LINES = "\n\r\t"
 """Characters that separate lines and columns."""
 _SPACES = "\u00a0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u202f\u205f\u3000"
-"""Spaces of other widths, as between thousands, which only show as a gap."""
+"""Spaces of other widths, as between thousands, which look like a gap."""
 
 
 def _escape(character: str) -> str:
-    if "\udc80" <= character <= "\udcff":  # a byte of a name that is not UTF-8, as Python has it
+    if "\udc80" <= character <= "\udcff":  # a byte of a name that is not UTF-8, as Python represents it
         return f"\\x{ord(character) - 0xDC00:02x}"
     if character in "\n\r\t":
         return repr(character)[1:-1]

@@ -6,16 +6,16 @@
 ...     return clubface.jax.fly(launch, outputs=["carry"])["carry"]
 >>> slope = jax.grad(carry)(0.2)
 
-Inputs that are arrays of JAX are variables, everything else stays fixed. ``jit``, ``vmap``, ``jvp``, ``grad``,
-``jacfwd`` and ``jacrev`` work in any order. Value and Jacobian come from one run of the compiled core on the host, in
-double precision; results have the precision of the variables, single unless ``jax_enable_x64`` is set.
+Inputs that are JAX arrays are variables, everything else is constant. ``jit``, ``vmap``, ``jvp``, ``grad``, ``jacfwd``
+and ``jacrev`` work in any order. Value and Jacobian come from one run of the compiled core on the host, in double
+precision; results have the precision of the variables, single unless ``jax_enable_x64`` is set.
 
-Second derivatives (``hessian``) are differences of the exact first ones: good to 1e-9 of the largest first derivative,
-scaled by the size of the variables, for models in closed form, to 1e-6 for flights without ``total`` and
-``total_side``, and to 1e-3 for ``volumetric`` with ``accuracy=1e-10``. Other contact models have none, nor have third
-derivatives; asking for them raises an error that says so.
+Second derivatives (``hessian``) are differences of the exact first ones, with an error relative to the largest first
+derivative, scaled by the size of the variables, of 1e-9 for models in closed form, 1e-6 for flights without ``total``
+and ``total_side``, and 1e-3 for ``volumetric`` with ``accuracy=1e-10``. Second derivatives of other contact models, and
+third derivatives, do not exist and raise an error.
 
-No warning is given of shots outside the range for which a model is valid; :func:`clubface.impact` gives it.
+No warning is given for shots outside the range of validity of a model, unlike in :func:`clubface.impact`.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class _JaxFunctions(ArrayFunctions[jax.Array]):
         return [y[..., place] for place in range(len(function.outputs))]
 
     def _repeated(self, step: Callable[[Any], Any], count: int) -> Any:
-        """Return the same, compiled as a loop: compilation takes seconds instead of a minute."""
+        """Apply a step ``count`` times in a compiled loop; compilation takes seconds instead of a minute."""
         shape = jax.eval_shape(step, 0.0)
         return jax.lax.scan(lambda value, _: (step(value), None), jnp.zeros(shape.shape, shape.dtype), length=count)[0]
 
@@ -67,7 +67,7 @@ delivery_from_pose = _FUNCTIONS.delivery_from_pose
 
 
 def _with_rules(function: Differentiable) -> Callable[[jax.Array], jax.Array]:
-    """Return the function with its derivatives; each rule is linear in the tangents, so that it can be transposed."""
+    """Attach derivative rules to a function; each is linear in the tangents, so that JAX can transpose it."""
     rows, width = len(function.outputs), len(function.variables)
 
     @jax.custom_jvp
@@ -107,7 +107,7 @@ def _product(subscripts: str, derivatives: jax.Array, tangent: jax.Array) -> jax
 
 def _on_host(compute: Callable[[np.ndarray], Any], x: jax.Array, *shapes: tuple[int, ...]) -> Any:
     """Call a function of the core; its results have the batch of ``x``, followed by each of ``shapes``."""
-    if not isinstance(x, Tracer):  # at once, and an error of the core is raised as it is
+    if not isinstance(x, Tracer):  # call at once, so that errors of the core are raised unchanged
         return jax.tree.map(lambda each: jnp.asarray(each, x.dtype), compute(np.asarray(x, np.float64)))
     results = tuple(jax.ShapeDtypeStruct((*x.shape[:-1], *each), x.dtype) for each in shapes)
 

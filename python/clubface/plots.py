@@ -36,7 +36,7 @@ def trajectories(flights: Mapping[str, ArrayLike]) -> Figure:
     Parameters
     ----------
     flights
-        For each model (or other name) the positions of the ball [m], shape [n, 3], axes x, y, z.
+        Positions of the ball by model or other name [m], shape [n, 3], axes x, y, z.
     """
     return draw(shot_picture(flights))
 
@@ -47,17 +47,17 @@ def shot_figure(
     *,
     title: str = "",
 ) -> Figure:
-    """Draw one shot: forces above, the flight from the side and from above below.
+    """Draw one shot: forces at the top, the flight from the side and from above underneath.
 
-    Models without a history are left out of the panels of force, which a line below says.
+    Models without a history are left out of the force panels and named in a footnote.
 
     Parameters
     ----------
     flights
-        As :func:`trajectories`.
+        As for :func:`trajectories`.
     histories
-        As :func:`force_histories`; may be empty.
+        As for :func:`force_histories`; may be empty.
     title
-        What was hit and how.
+        Title: club and delivery in words.
     """
     return draw(shot_picture(flights, histories, title=title))

@@ -1,8 +1,8 @@
-"""Published figures to hold a model against: tables in SI, each with where it was printed and what is in doubt.
+"""Published data for testing models: tables in SI, each with its source and doubts.
 
-The files are ``clubface/data/measurements/*.toml``, one for each subject, with long tables as CSV files next to them. A
-column is headed by its name and unit, as in ``spin [rpm]``; a column without a unit holds words. An unknown or missing
-key and an incomplete row are errors.
+The files are ``clubface/data/measurements/*.toml``, one per subject, with long tables as CSV files next to them. A
+heading gives name and unit of a column, as in ``spin [rpm]``; a column without a unit holds words. Unknown or missing
+keys and incomplete rows are errors.
 
 ``names()`` lists the tables, and ``table("pga-2019")["ball_speed"]`` is a column in m/s.
 """
@@ -33,29 +33,29 @@ __all__ = ["PublishedTable", "names", "read", "subjects", "table"]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PublishedTable:
-    """A published table, or a single figure as a table of one row.
+    """A published table, or a single value as a table of one row.
 
     Attributes
     ----------
     name, title
-        What it is called here, and what it is.
+        Name in the package, and title.
     kind
-        One of ``KINDS``: whether the figures were measured or computed, or are a limit.
+        One of ``KINDS``: whether the values were measured or computed, or are a limit.
     source
-        Author, year, title, publication and place in it.
+        Author, year, title, publication, and position in it.
     via
-        What the figures were read in; None where it was the source itself.
+        Where the values were read, if not in the source itself; else None.
     conditions
-        How the figures came about, and how they are to be read.
+        How the values were obtained, and how to read them.
     caveat
-        What is in doubt; None if nothing is known to be.
+        Known doubts, or None.
     columns
-        Each column by its name: an array in SI units and radians, NaN where nothing was printed, or one of words.
+        Columns by name: an array in SI units and radians, NaN where nothing was printed, or an array of words.
     units
-        The unit each column of numbers was printed in (``"1"`` for a plain number); columns of words have none.
+        Printed unit of each column of numbers (``"1"`` for a plain number); columns of words have none.
     derived
-        Columns among the measured ones that their source computed from others, and how that is known: a dynamic loft
-        that a monitor computes from the ball holds the monitor's model of impact. No model is judged by spin with it.
+        Columns that the source computed from others, with the evidence: a dynamic loft computed by a monitor from the
+        ball contains the monitor's impact model, so that the spin with it does not test a model.
     """
 
     name: str
@@ -90,7 +90,7 @@ KINDS = {
     "computed": "computed by its source, not measured",
     "limit": "a limit of rules or claims",
 }
-"""What the figures of a table can be."""
+"""Kinds of tables, with their meaning."""
 
 WORDS = Simple("text in quotes, not empty", lambda given: isinstance(given, str) and given.strip() != "")
 
@@ -121,7 +121,7 @@ class TableEntry:
                 )
 
     def table(self, path: str, line: int | None) -> PublishedTable:
-        """Return the table of a file at ``path``, whose rows begin in a line."""
+        """Return the table of the file at ``path``, whose entry begins in ``line``."""
         if self.file is not None:
             path, line = str(self.file), None
         try:
@@ -145,7 +145,7 @@ class PublishedFile:
 
 
 def read(path: Path) -> dict[str, PublishedTable]:
-    """Read a file of published tables; whatever is missing, unknown or incomplete is a :class:`FileError`."""
+    """Read a file of published tables; raise :class:`FileError` for missing, unknown or incomplete entries."""
     document = Document.read(path)
     tables = {}
     for index, entry in enumerate(decode(PublishedFile, document).table):
@@ -161,7 +161,7 @@ def _csv(path: Path) -> tuple[list[str], list[list[str]]]:
 
 
 def _columns(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
-    """Return the columns in SI by name and the unit each was printed in; what is not complete is a ValueError."""
+    """Return the columns in SI by name, and their printed units; raise ValueError if something is missing."""
     if not rows:
         raise InputError("rows", rows, "at least one row")
     for number, row in enumerate(rows, 1):
@@ -191,7 +191,7 @@ def _word(cell: object, where: str) -> str:
 
 
 def _number(cell: Any, where: str, symbol: str) -> float:
-    """Return a number; an empty cell of a CSV file is one that was not printed."""
+    """Return a number in SI, or NaN for an empty cell of a CSV file, which means not printed."""
     try:
         value = math.nan if cell == "" else float(cell)
     except (TypeError, ValueError):

@@ -1,8 +1,7 @@
 """The registry of quantities: name, symbol, units, digits, label, meaning and sign of every computed value.
 
-It is stated once, in the compiled core, which Python, C and the browser share. A quantity that only one computation
-knows, such as the strokes that are gained on a hole, is registered where that computation stands, by
-:func:`register_quantity`.
+It is defined once, in the compiled core, which Python, C and the browser share. A quantity used by a single
+computation, such as strokes gained on a hole, is registered in its module by :func:`register_quantity`.
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ def read_in(system: str) -> Iterator[None]:
     Raises
     ------
     InputError
-        If there is no such system.
+        There is no such system.
     """
     check_choice("units", system, SYSTEMS)
     before = _system.set(system)
@@ -68,23 +67,23 @@ class Quantity(NamedTuple):
     Attributes
     ----------
     name
-        As in keyword arguments, attributes and columns: "ball_speed".
+        Name in keyword arguments, attributes and columns: "ball_speed".
     unit
-        The SI unit it is held in.
+        SI unit of its values.
     metric, golf
-        How files and people read it: m/s in files, mph in tables.
+        Readings for files and for people: m/s in files, mph in tables.
     label
-        In words: "ball speed".
+        Label in words: "ball speed".
     symbol
-        In equations; "" if it has none.
+        Symbol in equations; "" if it has none.
     meaning
-        What it is, in one line.
+        Meaning in one line.
     sign
-        What positive means; "" for a magnitude.
+        Meaning of a positive sign; "" for a magnitude.
     sides
         Words for negative and positive values, such as ("left", "right"); None for a quantity without sides.
     synonyms
-        Further names in files.
+        Other names in files.
     """
 
     name: str
@@ -124,12 +123,12 @@ _HEAD_PREFIXES = ("shape_", "thickness_", "target_", "grooves_")
 def register_quantity(name: str, unit: str = "1", **fields: Any) -> Quantity:
     """Register a quantity that the core does not know; ``fields`` are the fields of :class:`Quantity`.
 
-    Readings that are left out are those of the dimension; a single reading is both.
+    Readings default to those of the dimension; a single reading is used for both.
 
     Raises
     ------
     ValueError
-        Another quantity has the name.
+        The name is used by another quantity.
     """
     usual, _ = _dimension_readings()[units.unit(unit).dimension]
     metric = fields.pop("metric", None) or fields.get("golf") or usual
@@ -150,12 +149,12 @@ def quantities() -> dict[str, Quantity]:
 def quantity(name: str, unit: str | None = None) -> Quantity:
     """Return the quantity ``name``, or one described only by its SI ``unit``.
 
-    A name of several words, such as ``mean_carry``, is of the quantity with which it ends.
+    A compound name, such as ``mean_carry``, belongs to the quantity with which it ends.
 
     Raises
     ------
     UnknownNameError
-        There is none, and no unit is given.
+        There is no such quantity, and no unit is given.
     """
     core = _core_quantities()
     parts = name.split("_")
@@ -183,7 +182,7 @@ def file_unit(name: str, unit: str) -> str:
 def _reading_of(name: str, unit: str) -> Quantity:
     if unit == "m" and (name.startswith(_HEAD_PREFIXES) or name.endswith(("_toe", "_high"))):
         return quantity("toe")
-    # What is computed of a quantity, such as toe_mean, is read as it is.
+    # Statistics of a quantity, such as toe_mean, have its reading.
     base = quantities().get(name.rpartition("_")[0])
     known = quantity(name, unit)
     return base if known.name == name and name not in quantities() and base and base.unit == unit else known
@@ -208,7 +207,7 @@ def bare_value(value: float, quantity: Quantity, unit: str | None = None, digits
     """Format an SI value without its unit, such as "166.4"; see :func:`format_value`."""
     if unit is None:
         unit = quantity.reading.unit
-        # Digits that were chosen for mph are one too few for m/s.
+        # Digits chosen for mph are one too few for m/s.
         if digits is not None and units.size(unit) > 2.0 * units.size(quantity.golf.unit):
             digits += 1
     digits = quantity.digits(unit) if digits is None else digits

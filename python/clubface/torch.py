@@ -6,13 +6,13 @@
 >>> clubface.torch.fly(launch, outputs=["carry"])["carry"].backward()
 >>> slope = loft.grad
 
-Inputs that are tensors are variables, everything else stays fixed. Backward, forward-mode derivatives and the
+Inputs that are tensors are variables, everything else is constant. Backward, forward-mode derivatives and the
 transformations of ``torch.func`` (``grad``, ``jvp``, ``vmap``, ``jacfwd``, ``jacrev``, ``hessian``) work. The compiled
 core computes on the processor, in double precision; results have the precision and the device of the variables.
 
-Derivatives are computed when they are asked for, those by all variables in one run. Second ones are as
-:mod:`clubface.jax` describes them: differences of the exact first ones, for models in closed form, flights, and
-``volumetric`` with ``accuracy=1e-10``. No warning is given of shots outside the range for which a model is valid.
+Derivatives are computed on request, for all variables in one run. Second derivatives are differences of the exact first
+ones, available for models in closed form, flights, and ``volumetric`` with ``accuracy=1e-10``; see :mod:`clubface.jax`.
+No warning is given for shots outside the range of validity of a model.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ delivery_from_pose = _FUNCTIONS.delivery_from_pose
 
 
 class _OnCore(torch.autograd.Function):
-    """A function of the core whose rows are the last axis of a tensor; the next higher derivative gives its own."""
+    """A function of the core over the last axis of a tensor, differentiated by the function of next higher order."""
 
     @staticmethod
     def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
@@ -68,7 +68,7 @@ class _OnCore(torch.autograd.Function):
 
     @classmethod
     def vmap(cls, info: Any, in_dims: Any, x: Any, function: Differentiable) -> Any:
-        """Return the result for a tensor with one more axis, and where that axis is."""
+        """Return the result for a tensor with one more axis, and the position of that axis."""
         return cls.apply(x.movedim(in_dims[0], 0), function), 0
 
 
@@ -123,7 +123,7 @@ class _Hessian(_OnCore):
 
 
 def _change(derivatives: type[_OnCore], ctx: Any, tangent: Any) -> Any:
-    """Return the change along a tangent, whose last axis is that of the variables of the derivatives."""
+    """Return the directional derivative along a tangent, whose last axis is that of the variables."""
     with forward_ad._set_fwd_grad_enabled(True):
         x = forward_ad.unpack_dual(*ctx.saved_tensors).primal
         return (derivatives.apply(x, ctx.function) * tangent).sum(-1)

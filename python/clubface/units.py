@@ -1,7 +1,7 @@
-"""All unit conversions of the package: text with a unit to SI and radians, and back.
+"""All unit conversions of the package, between text with a unit and SI with radians.
 
-Inside, everything is SI; a person writes ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The table of units stands
-in the core, for all languages. Each factor is a fraction: ``"204 g"`` is ``0.204`` to the last bit.
+Internally, everything is SI; users write ``"108 mph"`` or ``"2 deg"``. A bare number is SI. The table of units is in
+the core, shared by all languages. Factors are fractions: ``"204 g"`` is ``0.204`` to the last bit.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _SUPERSCRIPTS = str.maketrans({"²": "2", "³": "3", "^": None, "*": None, "·":
 
 
 def key(spelling: str) -> str:
-    """Return one spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
+    """Return the common spelling of ``kg m2``, ``kg m^2``, ``kg·m²`` and ``kg*m^2``."""
     return spelling.translate(_SUPERSCRIPTS)
 
 
@@ -63,7 +63,7 @@ SI_UNITS: dict[str, str] = {
 """The SI unit of each dimension."""
 
 MOST_DIMENSIONS = 32
-"""The array type that the core takes."""
+"""Maximum number of dimensions of an array in the core."""
 
 
 def unit(symbol: str, *, name: str = "unit", dimension: str | None = None) -> Unit:
@@ -95,8 +95,8 @@ def symbols(dimension: str | None = None) -> tuple[str, ...]:
 def parse(value: object, dimension: str, *, name: str = "value") -> float:
     """Convert ``"108 mph"``, ``"2 deg"`` or a bare SI number to a finite float in SI.
 
-    Text needs its unit: it comes from a file or a command, where a number without one is rarely meant in SI. Only 0 and
-    what has no dimension go without.
+    Text needs a unit: it comes from a file or a command, where a bare number is rarely meant in SI. Only 0 and
+    dimensionless values may omit it.
 
     Parameters
     ----------
@@ -105,14 +105,14 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
     dimension
         One of ``SI_UNITS``: ``"speed"``, ``"angle"``, ``"length"``, ...
     name
-        What the quantity is called in an error.
+        Name of the quantity in errors.
 
     Raises
     ------
     UnitError
-        An unknown unit, or one of another dimension.
+        The unit is unknown or of another dimension.
     InputError
-        Not a number, NaN, infinite, or too large for a float.
+        The value is not a number, is NaN, infinite, or too large for a float.
     """
     if dimension not in SI_UNITS:
         raise ValueError(f"unknown dimension {dimension!r}; known: {', '.join(SI_UNITS)}")
@@ -141,7 +141,7 @@ def parse(value: object, dimension: str, *, name: str = "value") -> float:
 def parse_exactly(value: object, dimension: str, *, name: str = "value") -> tuple[Fraction, Unit]:
     """Return the number exactly as written, and its unit; errors as in :func:`parse`.
 
-    A value too small for a float is 0.
+    Values too small for a float are returned as 0.
     """
     from fractions import Fraction
 
@@ -164,7 +164,7 @@ def dimension_of(value: object, *, name: str = "value") -> str:
     Raises
     ------
     UnitError
-        An unknown unit.
+        The unit is unknown.
     """
     symbol = _split(value)[1] if isinstance(value, str) else ""
     return _unit(symbol, None, name, str(value)).dimension
@@ -177,9 +177,9 @@ def _wanted(dimension: str) -> str:
 def parse_values(value: object, dimension: str, *, name: str = "value") -> float | NDArray[Any]:
     """Convert like :func:`parse`; a list or array gives a float64 array of the same shape.
 
-    Elements that are NaN or infinite pass: a bad row of a batch is reported with the batch, not refused here. Missing
-    elements become NaN: those that are masked, None, NA and NaT of pandas and nulls of Arrow. Truth values, complex
-    numbers, objects and digits as text without a unit are refused.
+    NaN and infinite elements are accepted, because bad rows are reported with the batch. Missing elements become NaN:
+    masked ones, None, pandas' NA and NaT, Arrow nulls. Truth values, complex numbers, objects and numbers as text
+    without a unit raise InputError.
     """
     if isinstance(value, str) or not hasattr(value, "__len__"):
         return parse(value, dimension, name=name)
@@ -238,13 +238,13 @@ def _parse_list(values: list[Any] | tuple[Any, ...], dimension: str, name: str) 
 
 
 def _parse_element(value: Any, dimension: str, name: str) -> float:
-    """Convert one value of many; infinity is accepted, because its row is reported with the batch."""
+    """Convert one element of a batch; infinity is accepted, because its row is reported with the batch."""
     value = _plain(value)
     return float(value) if isinstance(value, float) else parse(value, dimension, name=name)
 
 
 def numbers(values: Any, *, name: str) -> NDArray[Any]:
-    """Return an array of dimensionless or SI numbers, with NaN for missing ones; texts are refused."""
+    """Return an array of dimensionless or SI numbers, with NaN for missing ones; raise InputError for texts."""
     import numpy as np
 
     if type(values) is np.ndarray and values.dtype == np.float64:
@@ -258,7 +258,7 @@ def numbers(values: Any, *, name: str) -> NDArray[Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Convert an Arrow scalar, which before pyarrow 21 is no Python number, to its value; return others unchanged."""
+    """Return the value of an Arrow scalar, which before pyarrow 21 is not a Python number, or any other value."""
     return value.as_py() if hasattr(value, "as_py") else value
 
 
@@ -283,7 +283,7 @@ def from_si(value: Any, symbol: str) -> Any:
 
 
 def size(symbol: str) -> float:
-    """Return the size of a unit in SI, as for a difference of one unit."""
+    """Return the size of one unit in SI, as for differences, without offset."""
     result = unit(symbol)
     return result.numerator / result.denominator
 

@@ -1,6 +1,6 @@
 """Exports for other programs: inputs for the C interface, functions for CasADi, functional mock-up units for FMI.
 
-The package computes nothing here; it writes what the compiled libraries compute from.
+The package computes nothing here; it writes the inputs for compiled libraries.
 """
 
 from clubface.export.casadi import casadi_source

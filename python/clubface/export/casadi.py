@@ -1,9 +1,10 @@
 """Impacts and flights as external functions of CasADi, with exact Jacobians: C source over ``libclubface``.
 
-CasADi loads a shared library that has a function ``impact``, its sizes (``impact_n_in``, ``impact_sparsity_in``, ...)
-and its Jacobian ``jac_impact``, in the form of the C code that CasADi itself generates (J. A. E. Andersson and others,
+CasADi loads a shared library with a function ``impact``, its sizes (``impact_n_in``, ``impact_sparsity_in``, ...) and
+its Jacobian ``jac_impact``, in the form of the C code that CasADi itself generates (J. A. E. Andersson and others,
 CasADi: a software framework for nonlinear optimization and optimal control, *Mathematical Programming Computation* 11,
-2019; its manual, "Using external functions"). What takes such functions, as bioptim and acados do, takes these.
+2019; its manual, "Using external functions"). Programs that accept such functions, such as bioptim and acados, accept
+these.
 """
 
 from __future__ import annotations
@@ -48,31 +49,31 @@ def casadi_source(
 ) -> str:
     """Return C source of the functions ``impact`` and ``flight`` for ``casadi.external``, with exact Jacobians.
 
-    ``impact`` takes a vector of the variables and returns one of the quantities of the launch; ``flight`` takes
-    velocity and spin of the ball (world axes) and returns the quantities of the flight; all SI and radians. A flight
-    leaves out what jumps with the number of bounces, as the total does. Second derivatives, where the model has them
-    (see :mod:`clubface.jax`), are differences of the exact first ones. Both functions may be called from several
-    threads. A shot that cannot be computed makes the call fail; its reason goes to the error stream. The source is
-    compiled with ``libclubface``; the comment at its head says how.
+    ``impact`` takes a vector of the variables and returns a vector of the launch quantities; ``flight`` takes velocity
+    and spin of the ball (world axes) and returns the flight quantities; all SI and radians. Quantities that jump with
+    the number of bounces, such as the total, are left out. Second derivatives, if the model has them (see
+    :mod:`clubface.jax`), are differences of the exact first ones. Both functions are thread-safe. A shot that cannot be
+    computed makes the call fail, with the reason on the error stream. The source is compiled with ``libclubface``; its
+    first comment says how.
 
     Parameters
     ----------
     club, model, parameters, ball, accuracy, hand
         As for :func:`clubface.impact`.
     delivery
-        Values that stay fixed, SI or text with a unit, by name.
+        Fixed values by name, SI or text with a unit.
     variables
-        Names of the inputs and parameters that the function takes, in order; unless given, the delivery of the club
-        without what ``delivery`` fixes.
+        Names of the inputs and parameters that the function takes, in order. Default: the delivery of the club, except
+        for the values fixed by ``delivery``.
     quantities
-        Names of what it returns of the launch, in order; all that the model computes unless given.
+        Names of the launch quantities returned, in order. Default: all that the model computes.
     air, wind, ground
         As for :func:`clubface.fly`.
 
     Raises
     ------
     InputError
-        A name or value is unknown or not allowed, or there are no derivatives by a variable.
+        A name or value is unknown or not allowed, or derivatives with respect to a variable do not exist.
     """
     fixed = dict(delivery or {})
     names = tuple(name for name in OF_CLUB if name not in fixed) if variables is None else tuple(variables)

@@ -1,7 +1,7 @@
 """Exports a struck ball as a co-simulation unit (FMI 2.0 and 3.0): native library, model description and parameters.
 
-The standards: FMI 2.0.4 and 3.0, Modelica Association, https://fmi-standard.org. The unit takes pose and motion of a
-head, returns force and torque on it, and moves the ball; see :class:`clubface.StruckBall`. No Python is inside.
+Standards: FMI 2.0.4 and 3.0, Modelica Association, https://fmi-standard.org. The unit takes pose and motion of a head,
+returns force and torque on it, and moves the ball; see :class:`clubface.StruckBall`. It contains no Python.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from clubface.support.version import __version__
 
 VERSIONS = ("2.0", "3.0")
 STEP = 1e-5
-"""Default step size [s]: averaging the force over it changes the ball speed by less than 1e-4."""
+"""Default step size [s]; averaging the force over it changes the ball speed by less than 1e-4, relative."""
 STOP = 0.01
 """Default stop time of a simulation [s]."""
 EXCHANGED = ("club", "ball", "parameters")
@@ -57,7 +57,7 @@ class Variable(NamedTuple):
     causality
         "input", "parameter" or "output".
     bounds
-        Least and largest value, or None.
+        Minimum and maximum, or None.
     """
 
     name: str
@@ -81,23 +81,23 @@ def write_fmu(
 ) -> Path:
     """Write a co-simulation unit and return its path.
 
-    Its inputs are rotation (a quaternion, real part first), position, velocity and angular velocity of the head; its
-    outputs mean force and torque on the head over the last step, place and motion of the ball, and once the ball has
+    Inputs are rotation (a quaternion, real part first), position, velocity and angular velocity of the head; outputs
+    are mean force and torque on the head over the last step, position and motion of the ball, and once the ball has
     left the face, ``launched_ball_speed`` and the other outputs of an impact. Club, ball and model are parameters.
 
     Parameters
     ----------
     path
-        Ends in ``.fmu``; the name before that is the model's identifier, of letters, digits and underscores.
+        Path that ends in ``.fmu``; the name before that is the model identifier, of letters, digits and underscores.
     club, model, parameters, ball, hand
         As for :class:`clubface.StruckBall`.
     version
-        Of the standard, "2.0" or "3.0".
+        Version of the standard, "2.0" or "3.0".
 
     Raises
     ------
     InputError
-        A path or version that is not allowed, or a model without a contact.
+        The path or version is not allowed, or the model has no contact law.
     RunError
         This installation has no native library for units.
     """

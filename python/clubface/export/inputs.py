@@ -25,15 +25,15 @@ def inputs_csv(
 ) -> str:
     """Return a table with the columns ``kind``, ``name``, ``value`` and ``unit``.
 
-    Its first rows, of the kind ``input``, are the inputs of ``clubface_launches`` in their order, SI; those of the kind
-    ``parameter`` are the parameters of the model. Numbers keep every digit.
+    Rows of the kind ``input`` come first, the inputs of ``clubface_launches`` in their order, SI; then follow rows of
+    the kind ``parameter``, the parameters of the model. Numbers keep all digits.
 
     Parameters
     ----------
     club, model, parameters, ball, hand
         As for :func:`clubface.impact`.
     delivery
-        Its values, SI or text with a unit, by name; the speed must be among them.
+        Values by name, SI or text with a unit; the speed is required.
 
     Raises
     ------

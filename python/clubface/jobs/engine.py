@@ -25,7 +25,7 @@ P = TypeVar("P")
 R = TypeVar("R")
 Compute = Callable[..., Any]
 Progress = Callable[[int, int], object]
-"""Called with the parts that are done and the parts in all."""
+"""Function called with the number of finished parts and the number of all parts."""
 Place = tuple[float, float]
 """The values of the first two columns, which identify a row."""
 Row = Mapping[str, Any]
@@ -38,16 +38,16 @@ class Job(Generic[P, R]):
     Attributes
     ----------
     what
-        What the parts are, in the plural, for people.
+        Name of the parts in messages, in the plural.
     parts
-        The parts, each once; hashable.
+        The distinct parts; hashable.
     compute
-        From a part to its result, of what JSON holds where it is kept. What else it takes depends on where it runs, see
-        :mod:`clubface.jobs.workers`.
+        Function from a part to its result, which must consist of JSON types if it is stored. Further arguments depend
+        on where it runs, see :mod:`clubface.jobs.workers`.
     name
-        From a part to the name under which its result is kept.
+        Function from a part to the name of its stored result.
     accepts
-        Whether a kept result is that of a part, where its name does not say so.
+        Function that returns whether a stored result belongs to a part, if the name is not enough.
     """
 
     what: str
@@ -72,18 +72,18 @@ def run(
     job
         The job.
     how
-        Where its parts are computed: one of the functions of :mod:`clubface.jobs.workers`.
+        Where the parts are computed: one of the functions of :mod:`clubface.jobs.workers`.
     store
-        What keeps the results. Those that it has are not computed again.
+        Store of the results; stored results are not computed again.
     finished
-        Results that are known from elsewhere.
+        Results known from elsewhere.
     progress
-        Called with the parts that are done and the parts in all.
+        Function called with the number of finished parts and the number of all parts.
 
     Raises
     ------
     KeyboardInterrupt
-        Ctrl-C was pressed; the message says what is done and where it is kept.
+        Ctrl-C was pressed; the message gives the progress and where it is stored.
     """
     store = Finished() if store is None else store
     results = dict(finished or {})
@@ -105,7 +105,7 @@ def run(
 
 
 def interrupted(done: int, whole: int, what: str, folder: Path | None) -> KeyboardInterrupt:
-    """Return the error that says how much of the interrupted work is done, and where it is kept."""
+    """Return the error with the progress of the interrupted work and where it is stored."""
     kept = "" if folder is None or not done else f"; they are in {folder}, and the same command goes on after them"
     return KeyboardInterrupt(f"{done} of {whole} {what} are done{kept}")
 
@@ -121,28 +121,28 @@ def run_table(
 ) -> list[Row]:
     """Return the rows of a job; rows already in its table are not computed again.
 
-    Until all rows are finished, those that are lie in a store next to the table. Then they are written together: first
-    the rows of this job, then those that the table had besides.
+    Finished rows are kept in a store next to the table until all are finished, and then written together: first the
+    rows of this job, then the other rows of the table.
 
     Parameters
     ----------
     job
-        From places to rows, computed by :func:`clubface.jobs.workers.in_threads`.
+        Job from places to rows, computed by :func:`clubface.jobs.workers.in_threads`.
     path
-        The CSV file, whose first line has a fingerprint of the content. None keeps no rows.
+        The CSV file, whose first line holds a fingerprint of the content. None stores no rows.
     content
-        The inputs that the rows depend on, by the names that messages use. A table of anything else is refused.
+        Inputs that the rows depend on, by the names used in messages. A table with other inputs raises FileError.
     columns
-        How to read each column.
+        Function that reads a cell, by column.
     workers
-        Rows computed at a time; left out, as many as there are cores.
+        Number of rows computed at a time. Default: the number of cores.
     progress
-        Called with the rows there are and the rows in all.
+        Function called with the number of finished rows and of all rows.
 
     Raises
     ------
     FileError
-        The file is the table of something else, or damaged; or another process is writing it.
+        The file belongs to something else, is damaged, or is being written by another process.
     """
     if path is None:
         return list(run(job, partial(in_threads, workers=workers), progress=progress).values())
@@ -154,7 +154,7 @@ def run_table(
     remedy = f"finish that with the same command, or remove {folder}"
     idle = complete and not folder.exists()
     with Finished() if idle else Store(folder, content, output=target, remedy=remedy) as store:
-        before = _read(target, head, columns)  # again: another process may have written it meanwhile
+        before = _read(target, head, columns)  # read again: another process may have written it meanwhile
         finished = _finished(job, before)
         rows = run(job, partial(in_threads, workers=workers), store=store, finished=finished, progress=progress)
         if not idle:
@@ -173,7 +173,7 @@ def _finished(job: Job[Place, Row], rows: Mapping[Place, Row]) -> dict[Place, Ro
 
 
 def _key(values: Sequence[float]) -> Place:
-    """Return the first two values, free of rounding by unit conversion."""
+    """Return the first two values, without rounding errors of unit conversion."""
     return round(values[0], 9), round(values[1], 9)
 
 
@@ -185,7 +185,7 @@ def _read(path: Path, head: str, columns: Mapping[str, Callable[[str], Any]]) ->
     if lines[:2] != head.splitlines():
         raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
     rows = {}
-    # Each line by itself: a quotation mark in a damaged one must not swallow the others.
+    # Parse line by line, so that a quotation mark in a damaged line does not swallow the others.
     for number, line in enumerate(lines[2:], 3):
         try:
             (cells,) = csv.reader([line], strict=True)

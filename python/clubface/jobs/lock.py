@@ -1,4 +1,4 @@
-"""A file that one process holds for as long as it works, so that two do not write the same output."""
+"""A lock file held by one process while it works, so that no two write the same output."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ else:
 __all__ = ["Lock"]
 
 HELD_BYTE = 1_000_000
-"""The byte that Windows locks: beyond the text, which other processes read."""
+"""Position of the byte that Windows locks: beyond the text, which other processes read."""
 
 
 class Lock:
     """Holds a file until :meth:`close`, or until the process ends, even if it is killed.
 
-    The operating system holds it. On a network drive without locks nothing is held: what two runs of the same work
-    write there is the same, and each file is written whole.
+    The operating system holds the lock. On a network drive without locks nothing is locked; this does no harm, since
+    two runs of the same work write the same files, each of them completely.
 
     Parameters
     ----------
     path
-        The file, created if need be. It holds the number of the process, for messages.
+        The file, created if needed. It contains the process number, for messages.
     output
-        What is written meanwhile, for messages.
+        The output being written, for messages.
 
     Raises
     ------
@@ -48,7 +48,7 @@ class Lock:
                 self._handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
             except FileNotFoundError:
                 if path.parent.parent.is_dir():
-                    continue  # the process that held it has removed its folder just now
+                    continue  # the process that held it has just removed its folder
                 raise
             except OSError as error:
                 raise unwritable(output, error) from None
@@ -62,7 +62,7 @@ class Lock:
                 os.close(self._handle)
                 raise
             os.close(self._handle)  # the file was removed by the process that held it: open a new one
-        with suppress(OSError):  # a full disk is no reason to stop
+        with suppress(OSError):  # do not stop because of a full disk
             os.ftruncate(self._handle, 0)
             os.write(self._handle, str(os.getpid()).encode())
 
@@ -84,10 +84,10 @@ class Lock:
             pass  # a network drive without locks
 
     def close(self) -> None:
-        """Let go of the file and remove it."""
+        """Release the lock and remove the file."""
         if self._handle < 0:
             return
-        if sys.platform != "win32":  # while it is held: another process may take it as soon as it is free
+        if sys.platform != "win32":  # while it is held, since another process may take it as soon as it is free
             with suppress(OSError):
                 os.unlink(self._path)
         self.release()
@@ -96,7 +96,7 @@ class Lock:
                 os.unlink(self._path)
 
     def release(self) -> None:
-        """Let go of the file, and leave it where it is."""
+        """Release the lock and keep the file."""
         if self._handle >= 0:
             os.close(self._handle)
             self._handle = -1

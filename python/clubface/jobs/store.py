@@ -1,8 +1,8 @@
 """Keeps the finished parts of a long computation in a folder until its result is written, so that it can be resumed.
 
-The folder holds ``job.json``, which says what the parts belong to; ``values.jsonl``, a line for each finished value,
-with a checksum; ``parts``, for parts that are files; and ``lock``, which one process holds while it works. A damaged
-value counts as not finished. Fingerprints of content say whether parts belong to a computation.
+The folder contains ``job.json``, which identifies the computation; ``values.jsonl``, one line per finished value, with
+a checksum; ``parts``, for parts that are files; and ``lock``, held by the process at work. A damaged value counts as
+not finished. Fingerprints of the inputs decide whether parts belong to a computation.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ FOREIGN = "this is not a record of unfinished work; move it away, or give anothe
 DAMAGED = "this record of unfinished work is damaged"
 START_AGAIN = "start again without resuming"
 FLUSH_INTERVAL = 0.5
-"""Longest time until a finished value is on disk [s]; small values are written together."""
+"""Maximum delay until a finished value is on disk [s]; small values are written together."""
 
 
 def fingerprint(content: Any) -> str:
@@ -42,7 +42,7 @@ def fingerprint(content: Any) -> str:
 
 
 def _as_json(value: Any) -> Any:
-    """Return content as JSON types; all numbers of an array count, not only those that its text shows."""
+    """Return content as JSON types; arrays are included in full, not abbreviated as in their text."""
     if value is None or isinstance(value, (str, int, float)):
         return value
     if isinstance(value, Mapping):
@@ -68,7 +68,7 @@ def _as_json(value: Any) -> Any:
 
 
 def fingerprints(content: Mapping[str, Any]) -> dict[str, str]:
-    """Return a fingerprint of each input of a computation and of the version, by its name for people."""
+    """Return the fingerprints of the inputs of a computation and of the version, by the names used in messages."""
     return {name: fingerprint(each) for name, each in {**content, "version": __version__}.items()}
 
 
@@ -79,9 +79,9 @@ def check_same(
     otherwise: str,
     change: Callable[[str], str] = lambda _: "",
 ) -> None:
-    """Refuse to resume work in ``folder`` that was started with other content; both are from :func:`fingerprints`.
+    """Raise FileError if the work in ``folder`` was started with other content; both from :func:`fingerprints`.
 
-    ``change`` says what is different in a part, by its name.
+    ``change`` returns the difference in an input, by its name.
     """
     if other := [f"{name}{change(name)}" for name in {**now, **begun} if now.get(name) != begun.get(name)]:
         what = f"with another {', another '.join(other)}" if begun else "as other work, whose record is damaged"
@@ -113,9 +113,9 @@ def unfinished_folder(path: Path, inputs: Iterable[str | os.PathLike[str]] = ())
 
 
 def store_for(output: str | os.PathLike[str] | None, content: Mapping[str, Any], **options: Any) -> Finished:
-    """Return the store for the finished parts of an output file; without a file, they are kept for this run only.
+    """Return the store for the finished parts of an output file, or without a file, one for this run only.
 
-    The options are those of :class:`Store`.
+    Options are those of :class:`Store`.
     """
     if output is None:
         return Finished()
@@ -128,7 +128,7 @@ class Finished:
     Attributes
     ----------
     resumed
-        The names of the values that an earlier run has finished.
+        Names of the values finished by an earlier run.
     """
 
     resumed: tuple[str, ...] = ()
@@ -194,19 +194,18 @@ class Store(Finished):
     folder
         The folder; its parent must exist.
     content
-        The inputs of the computation, by what a person calls them: source, options, accuracy. The version always
-        counts as one of them.
+        Inputs of the computation by the names used in messages: source, options, accuracy. The version is always added.
     output
-        What the computation makes, for messages.
+        Output of the computation, for messages.
     resume
-        Whether to refuse to begin where another computation was interrupted. Otherwise its parts are removed.
+        True raises FileError if the folder holds parts of another, interrupted computation; False removes them.
     remedy
-        What to do where the folder belongs to another computation, for that message.
+        Advice in that message.
 
     Raises
     ------
     FileError
-        The folder belongs to another computation or is something else, or another process is using it.
+        The folder belongs to another computation, contains something else, or is used by another process.
     """
 
     def __init__(
@@ -245,7 +244,7 @@ class Store(Finished):
         return self._folder
 
     def _claim_folder(self, resume: bool, remedy: str) -> None:
-        """Claim the folder for this computation; refuse or remove the parts of another one."""
+        """Claim the folder for this computation; parts of another one raise FileError or are removed."""
         record, begun = self._folder / RECORD, dict[str, str]()
         with suppress(FileError):
             begun = read_record(record, DAMAGED)
@@ -288,7 +287,7 @@ class Store(Finished):
             lines = [b"%b %b\n" % (self._checksum(each).encode(), each) for each in texts]
             try:
                 with open(self._folder / VALUES, "ab") as file:
-                    # A line that a full disk or a power cut has left half written ends here.
+                    # End a line left incomplete by a full disk or a power cut.
                     file.write(b"\n" + b"".join(lines))
                     file.flush()
                     os.fsync(file.fileno())
@@ -315,7 +314,7 @@ class Store(Finished):
         return None
 
     def write_result(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
-        """Write the result as :func:`.whole_file` does, by way of the folder of the store."""
+        """Write the result as :func:`.whole_file` does, with the temporary file in the folder of the store."""
         self.flush()
         sibling = same_file(path.parent, self._folder.parent)
         with whole_file(path, folder=self._folder if sibling else None) as file:
@@ -331,7 +330,7 @@ class Store(Finished):
                 elif each.name != LOCK:
                     each.unlink()
         self._lock.close()
-        with suppress(OSError):  # another process may have begun in it
+        with suppress(OSError):  # another process may have started to use it
             self._folder.rmdir()
 
     def close(self) -> None:
@@ -351,7 +350,7 @@ class Store(Finished):
 
 
 def _check_folder(folder: Path) -> None:
-    """Refuse a folder that contains anything but unfinished work."""
+    """Raise FileError for a folder that contains anything but unfinished work."""
     try:
         names = [each.name for each in folder.iterdir() if each.name[0] != "."]
     except FileNotFoundError:

@@ -1,7 +1,7 @@
 """Workers for the parts of a job: this thread, several threads, processes, a Dask cluster, or shards.
 
-Each ``in_`` or ``on_`` function takes parts and what computes one, and yields every part with its result as it is
-finished. Leaving the loop, as Ctrl-C does, stops what is still running.
+Each ``in_`` or ``on_`` function takes parts and the function that computes one, and yields every part with its result
+as it finishes. Leaving the loop, as Ctrl-C does, stops running computations.
 """
 
 from __future__ import annotations
@@ -39,17 +39,17 @@ __all__ = [
 P = TypeVar("P")
 R = TypeVar("R")
 KeepGoing = Callable[[float, float], object]
-"""Called by a computation with the time reached and its end; raises an error if it must stop."""
+"""Function called by a computation with the time reached and the end time; raises an error if it must stop."""
 MAX_WORKERS = 1024
 POLL_INTERVAL = 0.05
-"""Longest time until Ctrl-C and lost connections are noticed [s]."""
+"""Maximum delay until Ctrl-C and lost connections are noticed [s]."""
 MAX_TRIES = 3
-"""Number of processes that may die over a part before it is given up."""
+"""Number of processes that may die on a part before it is abandoned."""
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 def worker_count(workers: int | None) -> int:
-    """Return how many parts are computed at a time: as requested, or one per processor."""
+    """Return the number of parts computed at a time: as requested, or one per processor."""
     return processors() if workers is None else check_count("workers", workers, 1, MAX_WORKERS)
 
 
@@ -64,8 +64,8 @@ def in_threads(
 ) -> Iterator[tuple[P, R]]:
     """Compute several parts at a time on threads, for compiled code that lets other threads run.
 
-    ``compute`` takes a part, a function to call as it proceeds, and the number of threads it may use itself. That is
-    one, except for the last parts where there are fewer of them than workers.
+    ``compute`` takes a part, a function to call as it proceeds, and the number of threads that it may use: one, or more
+    for the last parts if there are fewer parts than workers.
     """
     count, todo = worker_count(workers), list(parts)
     last, cores = len(todo) % count, min(count, processors())
@@ -93,12 +93,12 @@ def in_threads(
 def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int | None = None) -> Iterator[tuple[P, R]]:
     """Compute several parts at a time in processes on this machine, each with one thread.
 
-    A part whose process dies is given to another one. ``compute``, parts and results are pickled.
+    A part whose process dies is passed to another process. ``compute``, parts and results are pickled.
 
     Raises
     ------
     RunError
-        Several processes died over a part, or there is not enough memory for one.
+        Several processes died on a part, or there is not enough memory for one.
     """
     count, again, deaths = worker_count(workers), deque[tuple[int, P]](), Counter[int]()
     idle: list[_Process] = []
@@ -108,7 +108,7 @@ def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int 
         process = idle.pop() if idle else _Process()
         try:
             future = process.executor.submit(compute, item[1])
-        except BrokenProcessPool:  # it has died while it was idle
+        except BrokenProcessPool:  # the process died while idle
             process.end()
             process = _Process()
             future = process.executor.submit(compute, item[1])
@@ -151,7 +151,7 @@ def _completed(
 ) -> Iterator[tuple[P, Future[R]]]:
     """Yield each finished part with its future; ``width()`` parts are computed at a time.
 
-    Parts that are put into ``again`` are submitted once more, before the others.
+    Parts put into ``again`` are submitted again, before the others.
     """
     running: dict[Future[R], P] = {}
     ended: SimpleQueue[Future[R]] = SimpleQueue()
@@ -253,11 +253,11 @@ def _begin_worker() -> None:
 CHUNKS_PER_THREAD = 3
 """Parts in flight per thread of the cluster, so that no worker is idle."""
 MAX_LOSSES = 5
-"""How often the scheduler may lose a part before it is given up."""
+"""Number of times the scheduler may lose a part before it is abandoned."""
 SCHEDULER_TIMEOUT = 15.0
-"""Longest time to wait for the scheduler [s]."""
+"""Maximum time to wait for the scheduler [s]."""
 FIRST_WORKER_TIMEOUT = 60.0
-"""Longest time to wait for the first worker [s]."""
+"""Maximum time to wait for the first worker [s]."""
 RECOUNT_INTERVAL = 2.0
 """Interval at which the threads of the cluster are counted, because workers come and go [s]."""
 LOGGERS = ("distributed", "distributed.client", "distributed.comm", "distributed.core", "tornado", "asyncio")
@@ -269,14 +269,14 @@ def on_cluster(parts: Iterable[P], compute: Callable[[P], R], *, address: str) -
     Parameters
     ----------
     parts, compute
-        The parts, and what computes one; results should be small.
+        The parts, and the function that computes one; results should be small.
     address
-        Of the scheduler, as in "tcp://10.0.0.1:8786".
+        Address of the scheduler, as in "tcp://10.0.0.1:8786".
 
     Raises
     ------
     LinkError
-        The scheduler does not answer, is gone, or has no workers.
+        The scheduler does not answer, was lost, or has no workers.
     """
     from dask import config
     from distributed import Client
@@ -342,7 +342,7 @@ def _threads(client: Any, address: str) -> int:
 
 
 def _check_scheduler(address: str) -> None:
-    """Refuse an address at which no scheduler answers; Dask's client would wait forever for another kind of server."""
+    """Raise LinkError if no scheduler answers; Dask's client would wait forever for another kind of server."""
     from distributed import rpc
     from distributed.utils import LoopRunner
 
@@ -353,7 +353,7 @@ def _check_scheduler(address: str) -> None:
 
     try:
         kind = LoopRunner(asynchronous=False).run_sync(lambda: asyncio.wait_for(identity(), SCHEDULER_TIMEOUT + 1.0))
-    except Exception as error:  # whatever an answer that is none is taken for
+    except Exception as error:  # whatever Dask makes of an answer from another kind of server
         reason = str(error).splitlines()[0] if str(error) else f"{SCHEDULER_TIMEOUT:.0f} s have passed"
         raise LinkError(address, f"is not a scheduler that answers: {reason}") from None
     if kind != "Scheduler":
@@ -378,7 +378,7 @@ MAX_SHARDS = 1_000_000
 
 
 class Shard(NamedTuple):
-    """One of several jobs that share the parts, every n-th part each: its number, from 1, and the number of jobs."""
+    """One of several jobs that take every n-th part each: its number, from 1, and the number of jobs."""
 
     number: int
     shards: int
@@ -394,11 +394,12 @@ def shard_of(text: str, environment: Mapping[str, str] = os.environ) -> Shard:
     Parameters
     ----------
     text
-        "3/40"; "slurm" or "slurm/40", which takes the number from ``SLURM_ARRAY_TASK_ID`` beginning at
-        ``SLURM_ARRAY_TASK_MIN`` (and how many there are from ``SLURM_ARRAY_TASK_COUNT``); or "kubernetes/40", which
-        takes it from ``JOB_COMPLETION_INDEX``, from 0 on. Nothing is taken from the environment unless asked for.
+        "3/40"; "slurm" or "slurm/40", which takes the number from ``SLURM_ARRAY_TASK_ID``, counted from
+        ``SLURM_ARRAY_TASK_MIN``, and the number of jobs from ``SLURM_ARRAY_TASK_COUNT`` if not given; or
+        "kubernetes/40", which takes it from ``JOB_COMPLETION_INDEX``, counted from 0. Otherwise the environment is not
+        used.
     environment
-        The variables.
+        The environment variables.
     """
     check_text("shard", text)
     match = re.fullmatch(r"(?:(\d{1,7})|slurm|kubernetes)(?:/(\d{1,7}))?", text, re.ASCII)

@@ -1,7 +1,7 @@
 """Files that describe themselves: a dataclass is the schema of its TOML file.
 
-From its fields a file or a mapping is read, with errors that name file, line and key; objects made in Python are
-checked; files and templates are written; and pages and editors learn which keys there are.
+Its fields define how files and mappings are read, with errors that name file, line and key, how objects made in Python
+are checked, how files and templates are written, and which keys pages and editors list.
 """
 
 from __future__ import annotations

@@ -20,20 +20,20 @@ from clubface.support.files import read_input
 __all__ = ["Document", "KeyPath", "Place", "quoted"]
 
 MAXIMUM_SIZE = 1_000_000
-"""Largest file [bytes]; club, ball and parameter files are far smaller."""
+"""Maximum size of a file [bytes]; club, ball and parameter files are far smaller."""
 MOST_PARTS = 16
 """Maximum depth of dotted keys and of nested brackets; clubface's files have three."""
 NESTED = f"nested too deeply, more than {MOST_PARTS} tables or lists in each other"
 TWICE = ("Cannot overwrite a value", "Cannot declare")
-"""Start of the parser's message about a key or table that occurs twice."""
+"""Starts of the parser's messages about a key or table that occurs twice."""
 INTEGERS = range(-(2**63), 2**63)
 """The range of TOML's integers."""
 KeyPath = tuple[str | int, ...]
-"""The keys and list indices that lead from the top of a document to a value."""
+"""Keys and list indices from the top of a document to a value."""
 TEXTS = r'"""(?:[^\\]|\\.)*?"""|\'\'\'.*?\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|#[^\n]*'
-"""A pattern of strings and comments."""
+"""Pattern that matches strings and comments."""
 BARE = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.")
-"""A pattern of bare keys, and of the dot between the parts of a key."""
+"""Characters of bare keys, and the dot between the parts of a key."""
 LONGEST_KEY = 60
 
 
@@ -48,9 +48,9 @@ class Place:
     path
         Keys and indices that lead to the value.
     name
-        What messages call it, such as "shape.loft".
+        Name in messages, such as "shape.loft".
     label
-        What the table is called that holds the value, such as "trim toe"; a key of it is then "x of trim toe".
+        Name of the table that holds the value, such as "trim toe"; a key is then called "x of trim toe".
     """
 
     document: Document | None = None
@@ -85,7 +85,7 @@ class Place:
         return InputError(self.title, value, allowed)
 
     def check_keys(self, given: Iterable[str], known: Iterable[str], required: Iterable[str]) -> None:
-        """Refuse unknown keys, naming the nearest known one, and list missing required keys."""
+        """Raise an error for unknown keys, naming the nearest known one, or for missing required keys."""
         given = dict.fromkeys(given)
         known = tuple(known)
         for key in given:
@@ -96,7 +96,7 @@ class Place:
         self.require_keys(given, required)
 
     def require_keys(self, given: Iterable[str], required: Iterable[str]) -> None:
-        """Refuse a table that lacks required keys, and list them."""
+        """Raise an error that lists the required keys missing from a table."""
         given = set(given)
         missing = [key for key in required if key not in given]
         if not missing:
@@ -132,7 +132,7 @@ class Place:
         names += [names[0].rpartition(".")[0]] * ("." in names[0])
         names += [parameter.rpartition(" ")[2]] * (" " in parameter)
         if isinstance(error, UnknownNameError) and isinstance(error.value, str):
-            names.append(error.value)  # the name that is unknown may be a key itself
+            names.append(error.value)  # the unknown name may itself be a key
         at = self.document.line_of(self.path)
         lines = (self.document.line_like(name, self.path) for name in names)
         line = next((each for each in lines if each != at), at)
@@ -175,14 +175,14 @@ class Document:
         """Read the file at ``path``; raise :class:`FileError` if it is missing, too large or not UTF-8."""
         name, content = os.fspath(path), read_input(path, most=MAXIMUM_SIZE)
         try:
-            text = content.decode("utf-8-sig")  # editors of Windows begin with a byte order mark
+            text = content.decode("utf-8-sig")  # Windows editors write a byte order mark
         except UnicodeDecodeError as error:
             line = content[: error.start].count(b"\n") + 1
             raise FileError(name, line, "this is not UTF-8 text") from None
         return cls(text, name)
 
     def _unquoted(self, number: int | None) -> str:
-        """Return how to write the key of a line if TOML accepts it only in quotes."""
+        """Return advice for the key of a line if TOML accepts it only in quotes."""
         line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
         key, equals, _ = (part.strip() for part in line.partition("="))
         if not equals or not key or key[0] in "\"'[" or len(key) > LONGEST_KEY or all(c in BARE for c in key):
@@ -203,8 +203,8 @@ class Document:
     def line_like(self, key: str, path: KeyPath = ()) -> int | None:
         """Return the line of a key at or below a path; names may be joined by dots or underscores.
 
-        ``shape.loft`` and ``shape_loft`` are ``loft`` in ``[shape]``, and so is ``loft`` alone. Without such a key it
-        is the line of the path.
+        ``shape.loft``, ``shape_loft`` and ``loft`` alone all mean ``loft`` in ``[shape]``. Without such a key, the line
+        of the path is returned.
         """
         ending = "_" + key.replace(".", "_")
         lines: list[tuple[int, int]] = []
@@ -217,8 +217,8 @@ class Document:
 
 
 def _check_depth(text: str, path: str) -> None:
-    """Refuse keys of many parts and deep nesting, on which the parser would use gigabytes."""
-    # What stands in texts and comments does not count; their ends of lines do.
+    """Raise an error for keys of many parts and deep nesting, for which the parser would need gigabytes."""
+    # Remove strings and comments, but keep their line breaks.
     bare = re.sub(TEXTS, lambda match: "\n" * match[0].count("\n"), text, flags=re.DOTALL)
     if len(bare) <= MOST_PARTS:
         return
@@ -231,7 +231,7 @@ def _check_depth(text: str, path: str) -> None:
 
 
 def _flaw_of(value: Any) -> str:
-    """Return why no computation can use a value, or nothing."""
+    """Return the reason why a value cannot be used, or ""."""
     if isinstance(value, dict | list):
         return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
     if isinstance(value, int) and value not in INTEGERS:

@@ -63,21 +63,21 @@ class Entry(NamedTuple):
     Attributes
     ----------
     key
-        As in the file.
+        Key in the file.
     attribute
-        Of the object.
+        Attribute of the object.
     value
         The kind of its value.
     meaning
-        One line.
+        Its meaning in one line.
     example
-        A value as people write it; without one, templates leave the key out.
+        Example value as users write it; templates omit a key without one.
     is_required
         Whether a file must have the key or one of ``multiples``.
     default
-        What the object has without it.
+        Default value of the attribute.
     multiples
-        Other keys that a file may have in its place, and what their value is multiplied by.
+        Other keys that a file may have in its place, with the factors for their values.
     old_name
         A former name of the key, which files may still use.
     """
@@ -94,7 +94,7 @@ class Entry(NamedTuple):
 
     @property
     def unit(self) -> str:
-        """The unit that people write the quantity in."""
+        """The unit in which users write the quantity."""
         return self.value.unit  # pyright: ignore[reportAttributeAccessIssue]
 
     @property
@@ -123,17 +123,17 @@ def file_key(
     value
         The kind of its value.
     meaning
-        One line for pages, templates and editors.
+        Meaning in one line, for pages, templates and editors.
     name
-        The key, where it is not the name of the field.
+        The key, if it differs from the name of the field.
     example
-        A value for templates, as people write it.
+        Example value for templates, as users write it.
     multiples
-        Other keys that may take its place, and what their value is multiplied by, as in ``{"diameter": 0.5}``.
+        Other keys that may take its place, with the factors for their values, as in ``{"diameter": 0.5}``.
     old_name
         A former name of the key, which is read with a warning.
     required
-        Whether a file must have it; unless given, whether it has no default.
+        Whether a file must have it. Default: if it has no default value.
     default, default_factory, **options
         As for :func:`dataclasses.field`.
     """
@@ -169,9 +169,9 @@ class Table(Value):
     schema
         The dataclass.
     others
-        Keys that may stand there as well and that another reader takes.
+        Further keys allowed in the table, which are read elsewhere.
     without
-        Keys of the dataclass that may not stand there.
+        Keys of the dataclass that are not allowed in the table.
     """
 
     schema: type
@@ -179,7 +179,7 @@ class Table(Value):
     without: Collection[str] = ()
 
     def read(self, given: Any, place: Place, **more: Any) -> Any:
-        """Return the object; ``more`` are fields that do not come from the file."""
+        """Return the object; ``more`` are fields that are not in the file."""
         known = self.keys()
         factors: dict[str, tuple[Entry, float | None]] = {
             other: (each, factor) for each in known.values() for other, factor in each.multiples.items()
@@ -245,11 +245,11 @@ def decode(
     Parameters
     ----------
     others
-        Keys at the top that another reader takes.
+        Further keys at the top level, which are read elsewhere.
     usual
-        Values of keys that are not there.
+        Values of keys that are missing.
     more
-        Fields of the object that the file does not hold.
+        Fields of the object that are not in the file.
     """
     document, data = (source, source.data) if isinstance(source, Document) else (None, source)
     return Table(schema, others or {}).read({**(usual or {}), **data}, Place(document), **more)
@@ -266,7 +266,7 @@ def check_values(subject: Any) -> None:
 def encode(subject: Any, *, leave_out: Collection[str] = (), **changed: Any) -> str:
     """Return an object as TOML that reads back as the same object; None and empty values are left out.
 
-    ``changed`` are values that the file shall have in place of those of the object.
+    ``changed`` are values written in place of those of the object.
     """
     values = {name: changed.get(name, each) for name, each in _values(subject, leave_out).items()}
     return "\n".join(_lines(entries(type(subject)), values, "")) + "\n"
@@ -314,8 +314,7 @@ def written_key(name: str) -> str:
 def template(schema: type, values: Mapping[str, str], *, width: int = 27) -> list[str]:
     """Return the lines of a template: every key with an example and its meaning.
 
-    ``values`` are TOML values of keys that the template shall have in place of their examples; keys that may be left
-    out are comments unless they are among them.
+    ``values`` are TOML values written in place of the examples; other optional keys are commented out.
     """
     lines = []
     for each in entries(schema).values():

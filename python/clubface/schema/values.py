@@ -1,6 +1,6 @@
 """The types of values in files: how each is read, checked, written and described.
 
-Every kind has the methods of :class:`Value`. What is read is in SI and as the program takes it.
+Every type has the methods of :class:`Value`. Values are read in SI and in the form that the program uses.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ __all__ = [
 ]  # fmt: skip
 
 OPEN = "none"
-"""The word for an open end of an interval."""
+"""Word for an open end of an interval."""
 
 
 class Value:
@@ -33,7 +33,7 @@ class Value:
         raise NotImplementedError
 
     def check(self, value: Any, place: Place) -> Any:
-        """Return a value given in Python, which may already be as :meth:`read` returns it."""
+        """Check and return a value given in Python, which may already have the form that :meth:`read` returns."""
         return self.read(value, place)
 
     def write(self, value: Any) -> str:
@@ -43,7 +43,7 @@ class Value:
         )
 
     def show(self, value: Any) -> str:
-        """Return a value as documentation shows it."""
+        """Return a value as shown in the documentation."""
         return self.write(value).strip('"')
 
     def json(self) -> dict[str, Any]:
@@ -66,11 +66,11 @@ class Simple(Value):
     Attributes
     ----------
     allowed
-        What an error says is allowed.
+        Description of allowed values in errors.
     accepts
-        Whether a value is.
+        Function that returns whether a value is allowed.
     schema
-        Its JSON Schema.
+        JSON Schema of the value.
     """
 
     allowed: str = ""
@@ -111,17 +111,17 @@ class PhysicalValue(Value):
     Attributes
     ----------
     unit
-        The unit people write it in; "1" for none.
+        Unit in which users write it; "1" for none.
     lower, upper
-        Limits in that unit that are allowed.
+        Inclusive limits in that unit.
     above, below
-        Limits in that unit that are not.
+        Exclusive limits in that unit.
     allowed
-        What an error says is allowed; made from the limits unless given.
+        Description of allowed values in errors. Default: derived from the limits.
     special
-        Numbers [SI] that have a word, such as "flat".
+        Words for special numbers [SI], such as "flat".
     decimals
-        Places behind the point that are written; all that the bits need unless given.
+        Number of decimal places written. Default: as many as needed to restore the exact value.
     """
 
     unit: str
@@ -204,9 +204,9 @@ class Choice(Value):
     Attributes
     ----------
     choices
-        The words, with what they stand for where that is another value; or a function that returns them.
+        The words, with their values if these differ from the words; or a function that returns them.
     what
-        What one is called in messages; the key unless given.
+        Name of a word in messages. Default: the key.
     """
 
     choices: Collection[str] | Mapping[str, Any] | Callable[[], Collection[str]]
@@ -268,11 +268,11 @@ class Interval(Value):
     Attributes
     ----------
     quantity
-        Unit and limits of both ends.
+        Type of both ends, with unit and limits.
     example
-        As it is written in a file.
+        Example as written in a file.
     no_limits
-        The ends [SI] that the word "none" stands for; None where both must be given.
+        Ends [SI] represented by the word "none"; None if both ends are required.
     is_range
         Whether the ends must differ.
     """
@@ -313,13 +313,13 @@ class Record(Value):
     Attributes
     ----------
     values
-        The kind of value by key, or a function that returns these; or one kind for whatever keys there are.
+        Types of values by key, or a function that returns them; or one type for all keys.
     required
-        Keys that must be there.
+        Required keys.
     example
-        As it is written in a file: in braces, where the example is.
+        Example as written in a file; if given, the table is written in braces.
     make
-        What makes something else of the values and their place.
+        Function that converts the values and their place to another object.
     """
 
     values: Mapping[str, Value] | Callable[[], Mapping[str, Value]] | Value
@@ -366,11 +366,11 @@ class Tables(Value):
     Attributes
     ----------
     table
-        The kind of each.
+        Type of each table.
     what
-        What one is called in messages before its name, as in "x of trim toe".
+        Word before its name in messages, as in "x of trim toe".
     least, most
-        How many there may be.
+        Minimum and maximum number of tables.
     """
 
     table: Value

@@ -12,9 +12,9 @@ Selection = slice | Sequence[int] | Sequence[bool] | NDArray[np.integer | np.boo
 ValueLike = ArrayLike
 """A number [SI], text with a unit such as "108 mph", or an array or list of either."""
 NumberOrArray: TypeAlias = Any
-"""A number of a single shot, an array of the shape of the batch of many.
+"""A number for a single shot, or an array of the shape of a batch.
 
-Which of both it is follows from the values of a call and not from their types, so that a type checker takes it as
-either. A union would ask for a check before every use of a result, which the guide to typing advises against:
+The values of a call, not their types, decide which it is, so that a type checker accepts both. A union would require a
+check before every use of a result, which the typing guide advises against:
 https://typing.python.org/en/latest/guides/writing_stubs.html#the-any-trick
 """

@@ -1,6 +1,6 @@
-"""Checks of single values, with errors that say what is allowed, and other small shared functions.
+"""Checks of single values, with errors that state what is allowed, and other small shared functions.
 
-That is mappings that cannot be changed, values as JSON has them, and warnings that are given once.
+The latter are immutable mappings, conversion to JSON types, and warnings given once.
 """
 
 from __future__ import annotations
@@ -27,31 +27,31 @@ def is_name(value: object) -> bool:
 
 
 def is_text(value: object) -> bool:
-    """Return whether a value is text that can be written to a file; a lone surrogate cannot."""
+    """Return whether a value is text that can be written to a file, that is, without lone surrogates."""
     return isinstance(value, str) and not any("\ud800" <= each <= "\udfff" for each in value)
 
 
 def check_name(name: object) -> None:
-    """Refuse a name that is empty, not text, or not printable."""
+    """Raise InputError for a name that is empty, not text, or not printable."""
     if not is_name(name):
         raise InputError("name", name, "printable text, not empty")
 
 
 def check_text(parameter: str, value: object) -> None:
-    """Refuse a value that is not text, or that cannot be written to a file."""
+    """Raise InputError for a value that is not text, or cannot be written to a file."""
     if not is_text(value):
         raise InputError(parameter, value, "text")
 
 
 def check_choice(parameter: str, value: object, known: Iterable[str]) -> None:
-    """Refuse a value that is not one of the ``known`` words."""
+    """Raise UnknownNameError for a value that is not one of the ``known`` words."""
     known = tuple(known)
-    if not isinstance(value, str) or value not in known:  # an array has no answer to whether it is in
+    if not isinstance(value, str) or value not in known:  # ``in`` is undefined for an array
         raise UnknownNameError(parameter, value, known)
 
 
 def check_names(what: str, names: Iterable[object], known: Iterable[str]) -> None:
-    """Refuse names that are not among the ``known`` ones; ``what`` describes a name in the error."""
+    """Raise UnknownNameError for names that are not ``known``; ``what`` describes a name in the error."""
     known = tuple(known)
     for name in names:
         check_choice(what, name, known)
@@ -63,13 +63,13 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def check_share(share: object) -> None:
-    """Refuse a value that is not a number between 0 and 1."""
+    """Raise InputError for a value that is not a number between 0 and 1."""
     if not (is_number(share) and 0.0 < share < 1.0):
         raise InputError("share", share, "between 0 and 1")
 
 
 MOST_SEED = 2**63 - 1
-"""Largest random seed."""
+"""Maximum random seed."""
 
 
 def whole(value: object) -> int | None:
@@ -89,7 +89,7 @@ def is_count(value: object, least: int, most: int) -> bool:
 
 
 def check_count(parameter: str, value: object, least: int, most: int) -> int:
-    """Return a whole number within limits; refuse anything else."""
+    """Return a whole number within limits; raise InputError for anything else."""
     count = whole(value)
     if count is None or not least <= count <= most:
         raise InputError(parameter, value, f"a whole number from {least} to {most}")
@@ -103,7 +103,7 @@ V = TypeVar("V")
 class Frozen(dict[K, V]):
     """A dictionary that cannot be changed.
 
-    Unlike ``types.MappingProxyType`` it can be pickled and deep-copied, and so can what holds it.
+    Unlike ``types.MappingProxyType``, it can be pickled and deep-copied.
     """
 
     def _refused(self, *arguments: object, **named: object) -> NoReturn:
@@ -129,7 +129,7 @@ def plain(value: Any) -> Any:
 
 
 _given: dict[str, object] = {}
-"""Warnings already issued, by the call that issued them."""
+"""Warnings already issued, with the call that issued them."""
 _filters = threading.RLock()
 _silent: ContextVar[tuple[type[Warning], ...]] = ContextVar("_silent", default=())
 
@@ -148,8 +148,8 @@ def without_warnings(category: type[Warning] = Warning) -> Iterator[None]:
 def without_foreign_warnings(category: type[Warning] = Warning) -> Iterator[None]:
     """Suppress warnings from other packages, one thread at a time.
 
-    Python's filters belong to the whole process: of two blocks that overlap, the second would leave those of the first
-    behind for good.
+    Python's filters apply to the whole process: if two blocks overlapped, the filters of the first would remain for
+    good.
     """
     with _filters, warnings.catch_warnings():
         warnings.simplefilter("ignore", category)

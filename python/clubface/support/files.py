@@ -1,11 +1,11 @@
 """File access: inputs are read once and recorded, outputs are written completely or not at all; built-in data files.
 
-Every file of a person (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) is
-opened here and nowhere else. While a :class:`InputRecord` is active, it keeps what was read: a file that is edited
-meanwhile changes nothing, and what a result was computed from is known exactly, without any look at the texts of files.
-A worker is given what its command has read, and reads nothing else.
+All user files (clubs, balls, heads, meshes, parameters, golfers, mappings, shots, studies, recordings) are opened here
+and nowhere else. An active :class:`InputRecord` keeps the content that was read: editing a file meanwhile has no
+effect, and the inputs of a result are known exactly. A worker receives the files that its command has read, and reads
+no others.
 
-An output is written under another name until all of it is on the disk, and then renamed.
+An output is written under another name and renamed once it is complete on disk.
 """
 
 from __future__ import annotations
@@ -74,10 +74,10 @@ def path_of(what: str, name: str | os.PathLike[str], folder: str) -> str | os.Pa
 P = ParamSpec("P")
 R = TypeVar("R")
 LARGEST_KEPT = 32_000_000
-"""Bytes. The content of a larger file, such as a table of a million shots, is not kept: it is read as it goes, and
-refused if it changes meanwhile."""
+"""Maximum size of a file whose content is kept [bytes]. Larger files, such as a table of a million shots, are read in
+blocks, and refused if they change meanwhile."""
 MOST_KEPT = 256_000_000
-"""Total size of the contents that a computation keeps [bytes]; further files are treated like large ones."""
+"""Maximum total size of the contents kept by a computation [bytes]; further files are treated like large ones."""
 PIECE = 1_000_000
 """Size of the blocks in which files are read [bytes]."""
 CHANGED = "this file was changed while it was read; start again"
@@ -90,17 +90,18 @@ class InputFile(NamedTuple):
     Attributes
     ----------
     path
-        Where it was looked for: as it was typed, or from the folder of the file that names it.
+        Path as requested: as typed, or relative to the folder of the file that names it.
     place
-        Where it lies, without links: the same for all paths to one file.
+        Path with symbolic links resolved: the same for all paths to one file.
     size
-        Its bytes.
+        Size [bytes].
     sha256
-        Their fingerprint.
+        SHA-256 of its content.
     shipped
-        Whether it came with the package, whose version says what it holds.
+        Whether it belongs to the package, so that the version identifies its content.
     content
-        The bytes; None of a file that is larger than ``LARGEST_KEPT``, or that came after ``MOST_KEPT``.
+        Its bytes; None if the file is larger than ``LARGEST_KEPT``, or was read after ``MOST_KEPT`` bytes had been
+        kept.
     """
 
     path: str
@@ -114,14 +115,13 @@ class InputFile(NamedTuple):
 class InputRecord:
     """The files that a computation reads, each with the content of the first read.
 
-    While it is active, :func:`read_input` and :func:`open_input` serve what it holds, and add what it does not. One
-    that is made while another is active shares its files, and adds to both.
+    While it is active, :func:`read_input` and :func:`open_input` return the content that it holds, and add new files to
+    it. A record made while another is active shares its files and adds to both.
 
     Parameters
     ----------
     given
-        Files by the path under which they are asked for. With them the record is closed: nothing else is read, except
-        what came with the package.
+        Files by requested path. The record is then closed: nothing else is read, except files of the package.
     """
 
     def __init__(self, given: Mapping[str, InputFile] | None = None) -> None:
@@ -151,7 +151,7 @@ class InputRecord:
             return {path: each for path, each in self._files.items() if not each.shipped}
 
     def close(self) -> None:
-        """Refuse further reads: the computation depends only on what was loaded so far."""
+        """Close the record: further reads raise an error, so that results depend only on the files loaded so far."""
         self._closed = True
 
     @contextmanager
@@ -184,7 +184,7 @@ _ACTIVE: ContextVar[InputRecord | None] = ContextVar("input_record", default=Non
 def recorded(compute: Callable[P, R]) -> Callable[P, R]:
     """Make a computation read each file only once, no matter how often it is requested.
 
-    As a part of one whose files are recorded, it adds to that record.
+    Within another recorded computation, it adds to that record.
     """
 
     @wraps(compute)
@@ -217,12 +217,12 @@ def input_file(path: str | os.PathLike[str], *, most: int | None = None) -> Inpu
     path
         The file.
     most
-        The bytes that it may have at most; any number unless given.
+        Maximum size [bytes]. Default: unlimited.
 
     Raises
     ------
     FileError
-        It is not there, no file, too large, or may not be read.
+        The file does not exist, is not a regular file, is too large, or cannot be read.
     """
     name = os.fspath(path)
     record = _ACTIVE.get()
@@ -267,7 +267,7 @@ def as_local_file(path: str | os.PathLike[str]) -> Iterator[str]:
 def short_names(paths: Sequence[str]) -> list[str]:
     """Return file names without folders, except for the parts needed to tell files of the same name apart.
 
-    Of ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` these are ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
+    ``a/anna.toml``, ``b/anna.toml`` and ``a/my.toml`` give ``a/anna.toml``, ``b/anna.toml`` and ``my.toml``.
     """
     parts = [Path(each).parts for each in paths]
     names = []
@@ -294,7 +294,7 @@ def place_of(path: str | os.PathLike[str]) -> str:
     """Return the path of a file, existing or not, with symbolic links resolved."""
     try:
         return os.path.realpath(path)
-    except (OSError, ValueError):  # no file can have the name
+    except (OSError, ValueError):  # not a valid file name
         return absolute(path)
 
 
@@ -306,7 +306,7 @@ _SHIPPED = os.path.join(os.path.realpath(DATA), "")
 
 
 def _load(name: str, most: int) -> InputFile:
-    """Read a file; anything but a regular file is refused, so that reading never blocks."""
+    """Read a regular file; anything else raises FileError, so that reading never blocks."""
     with _Unchanging(name) as file:
         if file.size > most:
             raise _too_large(name, most)
@@ -325,7 +325,7 @@ def _load(name: str, most: int) -> InputFile:
 
 
 def unreadable(name: str, error: Exception) -> FileError:
-    """Return the error for a file that the system refuses to read."""
+    """Return the error for a file that cannot be read."""
     reason = getattr(error, "strerror", None) or str(error)
     if isinstance(error, IsADirectoryError):
         reason = "this is a folder"
@@ -339,8 +339,8 @@ def _too_large(name: str, most: int) -> FileError:
 
 
 def _whole(file: _Unchanging, most: int) -> bytes:
-    """Return the bytes of a file; endless files, such as some device files, are refused."""
-    result = file.read(min(file.size, most) + 1)  # at once, so that it is in the memory once
+    """Return the bytes of a file; raise FileError for endless ones, such as some device files."""
+    result = file.read(min(file.size, most) + 1)  # in one call, so that only one copy is in memory
     while len(result) <= most and (piece := file.read(PIECE)):
         result += piece
     if len(result) > most:
@@ -399,12 +399,12 @@ def _open_without_waiting(path: str, flags: int) -> int:
 def given_files(files: Iterable[tuple[str, str, int]], contents: Path) -> dict[str, InputFile]:
     """Return a closed record of files, given path, fingerprint and size of each and the folder of their contents.
 
-    One whose content is not there is read in its place, if it is still the same.
+    A file whose content is missing is read from its path, if it is unchanged.
 
     Raises
     ------
     FileError
-        A content is damaged.
+        A stored content is damaged.
     """
     result = {}
     for path, sum_, size in files:
@@ -421,7 +421,7 @@ Name = str | os.PathLike[str]
 
 
 def unwritable(path: Name, error: OSError) -> FileError:
-    """Return the error for a file that the system refuses to write."""
+    """Return the error for a file that cannot be written."""
     if isinstance(error, FileExistsError):
         return FileError(os.fspath(path), None, "this file exists already; it is left as it is")
     return FileError(os.fspath(path), None, f"cannot be written: {error.strerror or error}")
@@ -431,22 +431,22 @@ def unwritable(path: Name, error: OSError) -> FileError:
 def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> Iterator[BinaryIO]:
     """Open a file for writing that replaces ``path`` when the block ends and all data are on disk.
 
-    If the block raises, or the disk is full, what stood under the name before stands there still. Libraries that want a
-    path are given the ``name`` of the file that is yielded.
+    If the block raises an error, or the disk is full, the previous file remains. Libraries that need a path can use the
+    ``name`` of the file yielded.
 
     Parameters
     ----------
     path
-        The name in the end. A link is followed; a device or a pipe is refused.
+        Final path. Links are followed; devices and pipes raise FileError.
     folder
-        Where the file lies until then, on the same disk: next to ``path`` unless given.
+        Folder for the temporary file, on the same disk. Default: the folder of ``path``.
     new
-        Whether a file that has the name already is an error.
+        Whether an existing file is an error.
 
     Raises
     ------
     FileError
-        The system refused to write, or the file is an input of the computation that writes it.
+        The file cannot be written, or is an input of the computation that writes it.
     """
     target = Path(os.path.realpath(path))
     if os.fspath(target) in {each.place for each in recorded_files()}:
@@ -505,7 +505,7 @@ def synced(folder: Path) -> None:
 
 
 def _mode_of(target: Path, new: bool) -> int | None:
-    """Return the permissions of an existing file, or None; refuse to replace anything but a regular file."""
+    """Return the permissions of an existing file, or None; raise FileError for anything but a regular file."""
     try:
         result = target.stat()
     except FileNotFoundError:

@@ -1,6 +1,6 @@
-"""The script that an isolated process of :mod:`clubface.support.processes` runs: it answers calls until its input ends.
+"""The script of the isolated processes in :mod:`clubface.support.processes`: answers calls until its input ends.
 
-It imports nothing of clubface, so that it starts fast.
+It imports nothing from clubface, so that it starts fast.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 
 try:
     import resource
-except ImportError:  # not on Windows, where memory has no such limit
+except ImportError:  # not available on Windows
     resource = None
 
 

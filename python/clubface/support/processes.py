@@ -1,11 +1,11 @@
 """Isolated processes for libraries that may crash; available memory and processors.
 
-A library that a damaged file can crash is called in a process of its own, within limits: a crash, endless work or a
-request for all memory ends that process and is one error here. The process stays for further calls, so that only the
-first waits for it to start, a tenth of a second; another takes its place after a crash.
+A library that a damaged file can crash is called in a separate process with limits: a crash, an endless loop or
+excessive memory use ends that process and raises one error here. The process is kept for further calls, so that only
+the first call waits for its start, a tenth of a second; after a crash it is replaced.
 
-Memory is looked up so that a request too large for it is refused before anything is allocated; processors, since their
-vector units may change the last bits of a result.
+The available memory is queried so that requests that are too large raise an error before anything is allocated; the
+processor, because its vector units may change the last bits of a result.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class IsolatedProcess:
     Parameters
     ----------
     file
-        A Python file that imports nothing of clubface, so that the process starts fast.
+        A Python file that imports nothing from clubface, so that the process starts fast.
     """
 
     def __init__(self, file: Path) -> None:
@@ -53,14 +53,14 @@ class IsolatedProcess:
         self._owner = 0
 
     def call(self, function: str, *arguments: Any, memory: int = 0, seconds: float = 0.0) -> Any:
-        """Return what a function returns.
+        """Call a function in the process and return its result.
 
         Parameters
         ----------
         function, *arguments
-            Its name, and what can be pickled.
+            Name of the function, and its arguments, which must be picklable.
         memory, seconds
-            What it may take beyond ``LEAST_MEMORY`` [bytes] and ``LEAST_TIME`` [s].
+            Allowance in addition to ``LEAST_MEMORY`` [bytes] and ``LEAST_TIME`` [s].
 
         Raises
         ------
@@ -69,13 +69,13 @@ class IsolatedProcess:
         ModuleNotFoundError
             A library is not installed.
         """
-        if self._owner != os.getpid():  # the process belongs to the one that this was forked from, and so may the lock
+        if self._owner != os.getpid():  # after a fork, the process and perhaps the lock belong to the parent
             self._lock, self._process, self._owner = threading.Lock(), None, os.getpid()
         with self._lock:
             try:
                 kind, result = self._answer((str(self._file), function, arguments, LEAST_MEMORY + memory), seconds)
             except BaseException:
-                self._end()  # an answer that was not waited for would be taken for that of the next call
+                self._end()  # a late answer would be mistaken for that of the next call
                 raise
         if kind == "missing":
             raise ModuleNotFoundError(f"No module named {result!r}", name=result)
@@ -136,7 +136,7 @@ class IsolatedProcess:
 
 
 def _ended(process: subprocess.Popen[bytes]) -> str:
-    """Say how a process ended."""
+    """Return how a process ended, in words."""
     status = process.wait()
     if status >= 0:
         return f"ended with status {status}"
@@ -149,10 +149,10 @@ UNKNOWN = 4 * 2**30
 """Memory assumed if the system does not report it [bytes]."""
 
 SHARE = 0.5
-"""Share of the free memory that one request may use; tables made from the result need memory as well."""
+"""Share of the free memory that one request may use; tables of its result need memory too."""
 
 FAILED = 400
-"""Memory for the reason why one shot failed: its row, the parameter and a sentence [bytes]."""
+"""Memory for the record of a failed shot: row, parameter and a sentence [bytes]."""
 _SMALL = 64 * 2**20
 """Requests below this size are not checked [bytes]."""
 
@@ -164,7 +164,7 @@ def available_memory() -> int:
 
 
 def check_request(shots: int, bytes_a_shot: int) -> None:
-    """Refuse ``shots`` that would need more than ``SHARE`` of the free memory."""
+    """Raise InputError if ``shots`` would need more than ``SHARE`` of the free memory."""
     needed = shots * bytes_a_shot
     if needed <= _SMALL:
         return
@@ -207,7 +207,7 @@ def _of_container() -> list[int]:
 
 
 def processors() -> int:
-    """Return how many processors this process may use, as limited by a cluster's scheduler."""
+    """Return the number of processors available to this process, as limited by a cluster's scheduler."""
     try:
         return len(os.sched_getaffinity(0))
     except AttributeError:  # not Linux

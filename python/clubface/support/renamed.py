@@ -10,17 +10,17 @@ from typing import Any, ParamSpec, TypeVar
 from clubface.support.checks import warn_once
 
 GONE_WITH = "0.3.0"
-"""The version that drops the old names: the next minor one."""
+"""The version that removes the old names: the next minor one."""
 
 RENAMED = ".* is called .* now; version"
-"""A pattern that matches the start of these warnings."""
+"""Pattern that matches the start of these warnings."""
 
 P = ParamSpec("P")
 T = TypeVar("T")
 
 
 def warn_renamed(old: str, new: str) -> None:
-    """Warn once in a process that something has another name now."""
+    """Warn once per process that a name has changed."""
     warn_once(f"{old} is called {new} now; version {GONE_WITH} has the new name alone", DeprecationWarning)
 
 
@@ -29,13 +29,13 @@ def renamed_names(module: str, **names: str) -> Callable[[str], Any]:
 
     ::
 
-        if not TYPE_CHECKING:  # else no misspelt name is an error to a type checker
+        if not TYPE_CHECKING:  # otherwise a type checker accepts every misspelt name
             __getattr__ = renamed_names(__name__, Blow="FaceImpact")
 
     Parameters
     ----------
     module
-        The name of the module.
+        Name of the module.
     names
         The new names by the old ones.
     """
@@ -60,7 +60,7 @@ def renamed_arguments(**names: str) -> Callable[[Callable[P, T]], Callable[P, T]
     Raises
     ------
     TypeError
-        By the function, where it is called with both names.
+        The function is called with both the old and the new name.
     """
 
     def decorate(function: Callable[P, T]) -> Callable[P, T]:

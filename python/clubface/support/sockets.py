@@ -24,7 +24,7 @@ CHUNK = 65_536
 
 
 def check_port(port: int, lowest: int, name: str = "port") -> None:
-    """Refuse a value that is not a port number; ``name`` is the parameter or option."""
+    """Raise InputError for a value that is not a port number; ``name`` is the parameter or option."""
     if isinstance(port, bool) or not isinstance(port, int) or not lowest <= port <= HIGHEST_PORT:
         raise InputError(name, port, f"a whole number from {lowest} to {HIGHEST_PORT}")
 
@@ -35,9 +35,9 @@ def listen_on(port: int, *, host: str = LOOPBACK, waiting: int) -> socket.socket
     Parameters
     ----------
     port, host
-        Where to listen.
+        Port and address to listen on.
     waiting
-        Connections that may wait to be accepted.
+        Maximum number of connections waiting to be accepted.
 
     Raises
     ------
@@ -58,14 +58,14 @@ class Connection:
     Parameters
     ----------
     port, host
-        Where it listens.
+        Port and address of the program.
     timeout
-        How long to wait for the connection, and until what is sent is taken [s].
+        Maximum time to wait for the connection, and for data to be sent [s].
 
     Raises
     ------
     LinkError
-        Nobody listens there, or, of every method, the connection was lost.
+        Nothing listens there; or, from any method, the connection was lost.
     """
 
     def __init__(self, port: int, *, host: str = LOOPBACK, timeout: float = 5.0) -> None:
