@@ -1,7 +1,8 @@
-"""Validation: what a model makes of published deliveries, plates and heads, compared with what was published of them.
+"""Validation: models compared with published measurements of shots, plates and heads.
 
-Each check compares published figures with the same figures computed from the published conditions, with built-in clubs
-and one ball. A tolerance says how close is good enough, and why. Averages are intervals of what they leave open.
+Each check compares published figures with those computed for the published conditions, with built-in clubs and one
+ball. Each tolerance states how close is good enough, and why. Published averages are given as intervals that cover what
+they leave open.
 """
 
 from clubface.validation.check import Check, Figure

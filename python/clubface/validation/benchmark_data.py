@@ -1,7 +1,7 @@
-"""Benchmark shots: 550 drives and 120 7-iron shots with known truth, in place of measured ones that are not public.
+"""Benchmark shots: 550 synthetic drives and 120 7-iron shots with known truth, as measured ones are not public.
 
-Deliveries and launches are as motion capture and a launch monitor would show them; true deliveries, true launches and
-the model that made each shot are given as well. ``recipe.toml`` holds every number they were made with.
+Deliveries and launches look as motion capture and a launch monitor would report them; true deliveries, true launches
+and the model behind each shot are given as well. ``recipe.toml`` holds every number that went into them.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ __all__ = ["BenchmarkShots", "MixtureComponent", "Recipe", "Spread", "load", "re
 
 FOLDER = DATA / "benchmark"
 HEADS = {"driver": "driver-as-printed", "7-iron": "7-iron"}
-"""The built-in heads that hit the shots of the two clubs, those of the publication."""
+"""Built-in heads used for the two clubs, those of the publication."""
 CLUBS = tuple(HEADS)
 
 
 class Spread(NamedTuple):
-    """How one quantity of a delivery varies, SI.
+    """Variation of one delivery quantity, in SI units.
 
     Attributes
     ----------
     mean
-        Over all players.
+        Mean over all players.
     between
         Standard deviation of the players' means.
     within
@@ -56,9 +56,9 @@ class MixtureComponent(NamedTuple):
     Attributes
     ----------
     restitution
-        At the face centre and the speed the recipe names.
+        Restitution at the face centre and the speed given in the recipe.
     changed
-        Parameters other than the published ones, SI.
+        Parameters that differ from the published ones [SI].
     """
 
     restitution: float
@@ -66,7 +66,7 @@ class MixtureComponent(NamedTuple):
 
 
 class Recipe(NamedTuple):
-    """Everything that decides the shots of one club; SI."""
+    """Everything that determines the shots of one club, in SI units."""
 
     club: str
     head: str
@@ -97,7 +97,7 @@ class Recipe(NamedTuple):
 
 @cache
 def recipe(club: str) -> Recipe:
-    """Return the recipe of ``club``, "driver" or "7-iron"."""
+    """Return the recipe for ``club``, "driver" or "7-iron"."""
     data = Document.read(FOLDER / "recipe.toml").data
     own, effects, capture = data[club], data["effects"], data["capture"]
     return Recipe(
@@ -162,17 +162,17 @@ class BenchmarkShots:
     club
         "driver" or "7-iron".
     head
-        The built-in head they were hit with: "driver-as-printed" or "7-iron".
+        The built-in head: "driver-as-printed" or "7-iron".
     measured
-        Deliveries of motion capture and launches of a monitor, with their errors.
+        Deliveries from motion capture and launches from a monitor, with errors.
     truth
-        The same shots as they truly were.
+        The true values of the same shots.
     player
-        Number of the player of each shot, from 1.
+        Number of each shot's player, from 1.
     model
-        Name of the model that made each launch.
+        Name of the model behind each launch.
     restitution_offset
-        What was added to the model's restitution: scatter of the ball, and the place on the face.
+        Added to the model's restitution, for scatter of the ball and impact location.
     """
 
     club: str

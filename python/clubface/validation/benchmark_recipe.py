@@ -1,7 +1,7 @@
-"""The benchmark shots from their recipe, bit for bit: ``python -m clubface.validation.benchmark_recipe``.
+"""Reproduces the benchmark shots bit for bit: ``python -m clubface.validation.benchmark_recipe``.
 
-Players with habits deliver clubheads; a mixture of models, with effects that none of the fitted models has, makes the
-launches; motion capture and a launch monitor see them with their errors.
+Players with habits deliver clubheads; a mixture of models, with effects that no fitted model has, gives the launches;
+motion capture and a launch monitor measure them with errors.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ LAUNCH = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 
 
 def with_shaft(recipe: Recipe) -> Club:
-    """Return the club with the tip of its shaft: a point of mass that moves with the head.
+    """Return the club with the tip of the shaft as a point mass that moves with the head.
 
-    Mass, CG and inertia are those of both together; the delivery is that of their common CG.
+    Mass, CG and inertia are for both together; the delivery refers to their common CG.
     """
     head = club_named(recipe.head)
     added, place = recipe.shaft_mass, recipe.hosel
@@ -53,7 +53,7 @@ def with_shaft(recipe: Recipe) -> Club:
 
 
 def restitution_offsets(recipe: Recipe, delivery: Mapping[str, Floats], scatter: Floats | float) -> Floats:
-    """Return by how much restitution differs from that at the face centre: the ball, and the place on the face."""
+    """Return the change in restitution from the face centre, by scatter of the ball and impact location."""
     distance = np.hypot(delivery["toe"], delivery["high"]) / recipe.flex_radius
     return scatter - recipe.flex_drop * distance**2
 
@@ -66,7 +66,7 @@ def launches(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets:
 
 
 def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], offsets: Floats | float) -> ParameterSet:
-    """Return the parameters of model ``name``, an array where they vary from shot to shot."""
+    """Return the parameters of model ``name``, as arrays if they vary from shot to shot."""
     part = recipe.mixture[name]
     published = ParameterSet.builtin(name, club_named(recipe.head).parameters)
     changes: dict[str, Any] = dict(part.changed)
@@ -81,7 +81,7 @@ def true_parameters(recipe: Recipe, name: str, delivery: Mapping[str, Floats], o
 
 
 def normal_speed(delivery: Mapping[str, Floats]) -> Floats:
-    """Return the speed of the head along the face normal [m/s], at the face centre and without rotation."""
+    """Return the head speed along the face normal [m/s], at the face centre and without rotation."""
     return (
         delivery["speed"] * np.cos(delivery["loft"] - delivery["attack"]) * np.cos(delivery["face"] - delivery["path"])
     )
@@ -101,15 +101,15 @@ def damping_of(restitution: Floats, speed: Floats) -> Floats:
 
 
 RATES = {"face": ("closure", -1.0), "loft": ("pitch_rate", 1.0), "lie": ("lie_rate", 1.0)}
-"""The rate at which each angle turns, and its sign: a closing face turns to the left."""
+"""Rotation rate of each angle, and its sign: a closing face turns to the left."""
 
 
 def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
-    """Return the delivery that motion capture gives for the true one, SI.
+    """Return the delivery as measured by motion capture, from the true one [SI].
 
-    The head moves on an arc. Its position and attitude are seen with noise in the last three frames before impact. As
-    in Caldwell and McPhee (2023), straight lines through the last two positions, attitudes and velocities give the
-    delivery at impact. What the lines miss, because of the arc and of growing rates, is the error of extrapolation.
+    The head moves on an arc. Its position and attitude are measured with noise in the last three frames before impact.
+    As in Caldwell and McPhee (2023), linear extrapolation of the last two positions, attitudes and velocities gives the
+    delivery at impact; the arc and increasing rates cause the extrapolation error.
     """
     shots = truth["speed"].size
     first = recipe.frame * random.random(shots)
@@ -126,8 +126,8 @@ def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Gene
         seen = seen + recipe.attitude_noise * random.standard_normal((3, shots))
         slope = (seen[0] - seen[1]) / recipe.frame
         result[angle], result[rate] = seen[0] + slope * ahead, sign * slope
-    # A head believed too far to the right or too high puts the ball towards the heel or the sole; the line along which
-    # the head travels is left out: the ball touches the face.
+    # A head measured too far right or too high shifts the impact point towards the heel or the sole. The component
+    # along the path does not matter, since the ball touches the face.
     right = at_impact[2] - at_impact[0] * np.tan(truth["path"])
     up = at_impact[1] - at_impact[0] * np.tan(truth["attack"])
     result["toe"] = truth["toe"] - right / np.cos(truth["face"])
@@ -136,14 +136,14 @@ def captured(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Gene
 
 
 def monitored(recipe: Recipe, truth: Mapping[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
-    """Return the launch that the monitor shows for the true one, SI."""
+    """Return the launch as measured by the monitor, from the true one [SI]."""
     return {name: values + recipe.monitor[name] * random.standard_normal(values.size) for name, values in truth.items()}
 
 
 def _arc(recipe: Recipe, truth: Mapping[str, Floats], times: Floats) -> Floats:
     """Return the positions [m], shape [times, xyz, shots], of heads that pass the origin at time 0.
 
-    Each turns at constant speed about a centre on the players' side, up the swing plane.
+    Each moves at constant speed around a centre on the player's side, up the swing plane.
     """
     attack, path = truth["attack"], truth["path"]
     along = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)])
@@ -164,15 +164,15 @@ def _direction(velocity: Floats) -> dict[str, Floats]:
 
 
 def players_of(recipe: Recipe) -> NDArray[np.int64]:
-    """Return the number of the player (from 0) of each shot; the first players have one shot more."""
+    """Return the player (from 0) of each shot; the first players have one more shot."""
     return np.sort(np.arange(recipe.shots) % recipe.players)
 
 
 def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Floats]:
-    """Return the true delivery of every shot, SI.
+    """Return the true delivery of every shot [SI].
 
-    Every quantity is normal over players and over the shots of a player, in a quantity that follows another partly
-    driven by that one. Speeds outside the range are drawn again.
+    Every quantity is normally distributed over players and over each player's shots, and may be correlated with
+    another. Speeds outside the range are drawn again.
     """
     player = players_of(recipe)
     habits = _standard(recipe, random, recipe.players)
@@ -188,7 +188,7 @@ def deliveries(recipe: Recipe, random: np.random.Generator) -> dict[str, Floats]
 
 
 def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[str, Floats]:
-    """Return standard normal deviates of each quantity, correlated where one follows another."""
+    """Return standard normal deviates of each quantity, with correlations."""
     plain = {name: _standardised(random.standard_normal(count)) for name in recipe.delivery}
     result = dict(plain)
     for name, (leader, correlation) in recipe.follows.items():
@@ -197,33 +197,33 @@ def _standard(recipe: Recipe, random: np.random.Generator, count: int) -> dict[s
 
 
 def _standardised(values: Floats) -> Floats:
-    """Return ``values`` with mean 0 and standard deviation 1, so that a small sample has the spread of the recipe."""
+    """Return ``values`` scaled to mean 0 and standard deviation 1, so that a small sample has the recipe's spread."""
     return (values - values.mean()) / values.std()
 
 
 CAPTURE_DIGITS = {"mm": 1, "deg/s": 0}
-"""Decimals of a measured delivery in the unit of its column; 2 for speed and angles."""
+"""Decimals of measured delivery quantities by unit; 2 for speed and angles."""
 MONITOR_DIGITS = {"rpm": 0}
-"""Decimals of a measured launch; 1 for speed and angles, as monitors show them."""
+"""Decimals of measured launch quantities by unit; 1 for speed and angles, as on monitors."""
 TRUE_DIGITS = 5
-"""Decimals of a true value, so that its file is the same on every machine."""
+"""Decimals of true values, so that the files are identical on every machine."""
 
 
 class Made(NamedTuple):
-    """The shots of one club, SI, one element a shot.
+    """The shots of one club, in SI units, one element per shot.
 
     Attributes
     ----------
     player
         Number of the player, from 1.
     model
-        The model that made the launch.
+        The model behind the launch.
     restitution
-        What was added to its restitution: the ball, and the place on the face.
+        Added to its restitution, for scatter of the ball and impact location.
     true_delivery, true_launch
-        What happened.
+        True values.
     delivery, launch
-        What was measured.
+        Measured values.
     """
 
     player: NDArray[np.int64]
@@ -257,7 +257,7 @@ def make(plan: Recipe) -> Made:
 
 
 def tables(plan: Recipe) -> dict[str, dict[str, Any]]:
-    """Return the columns of the two files of one club, by the name of the file."""
+    """Return the columns of the two files of one club, by file name."""
     made = make(plan)
     first: dict[str, Any] = {"club": [plan.head] * plan.shots, "player": made.player}
     kept = {"model": made.model.tolist(), "restitution_offset": made.restitution}
@@ -268,7 +268,7 @@ def tables(plan: Recipe) -> dict[str, dict[str, Any]]:
 
 
 def write(folder: Path = FOLDER) -> list[Path]:
-    """Write the files of all clubs; return them."""
+    """Write the files of all clubs and return their paths."""
     files = []
     for club in CLUBS:
         for name, columns in tables(recipe(club)).items():
@@ -281,12 +281,12 @@ def write(folder: Path = FOLDER) -> list[Path]:
 
 
 def _unit(name: str) -> tuple[str, str]:
-    """Return heading and unit of the column of a quantity."""
+    """Return heading and unit of a quantity's column."""
     return heading_of(name, (inputs()[name] if name in inputs() else outputs()[name]).unit)
 
 
 def _rounded(values: dict[str, Floats], digits: dict[str, int], otherwise: int) -> dict[str, Floats]:
-    """Return SI values as they are read back from a column with so many decimals."""
+    """Return SI values after rounding in the unit of their column, as they are read back."""
     result = {}
     for name, each in values.items():
         shown = _unit(name)[1]
@@ -296,7 +296,7 @@ def _rounded(values: dict[str, Floats], digits: dict[str, int], otherwise: int) 
 
 
 def _columns(values: dict[str, Floats]) -> dict[str, Floats]:
-    """Return columns in the units of their headings; what conversion and back leaves behind is rounded away."""
+    """Return columns in the units of their headings, rounded to remove conversion errors."""
     return {_unit(name)[0]: np.round(units.from_si(each, _unit(name)[1]), 9) for name, each in values.items()}
 
 

@@ -1,4 +1,4 @@
-"""The list of checks: what is published, what of it a model is asked for, and how close it must come."""
+"""The list of checks: what is published, what models must reproduce, and how closely."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ CHECKS = (
         A_MODEL, launches.by_ball_speed,
     ),
 )  # fmt: skip
-"""Every check, deliveries at their launch first."""
+"""Every check, those at a measured launch first."""
 
 
 def check_named(name: str) -> Check:

@@ -1,9 +1,9 @@
-"""The model behind TrackMan's chart of drives of 2010: a rigid ball that rolls off a rigid head struck through its CG.
+"""The model behind TrackMan's 2010 chart of drives: a rigid ball rolling off a rigid head struck through its CG.
 
-The chart gives complete deliveries and launches of 60 drives, and so looks like a measurement with dynamic loft and
-spin. It is computed. The model ``standard`` of a head struck at the projection of its CG repeats its spins but for a
-constant, and the ratio of spin to momentum along the face is the same in every row: a dynamic loft published with a
-launch says no more than the launch.
+The chart gives complete deliveries and launches of 60 drives and looks like a measurement of dynamic loft and spin, but
+is computed. The model ``standard``, with the head struck at the projection of its CG, reproduces the spins up to a
+constant, and the ratio of spin to momentum along the face is the same in every row. The chart's dynamic lofts therefore
+carry no more information than its launches.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from clubface.validation.tour import loft_of_ratio, spin_ratio
 
 TABLE = "optimum-trackman-2010"
 BALL = "published"
-"""A ball as was assumed then: 45.9 g, 42.6 mm, with the moment of inertia of a homogeneous one."""
+"""A ball as assumed at the time: 45.9 g, 42.6 mm, with the moment of inertia of a homogeneous sphere."""
 STANDARD = "standard"
 
 
@@ -38,11 +38,11 @@ class Errors(NamedTuple):
     Attributes
     ----------
     model, struck
-        The model, and where the driver is struck, in words.
+        The model, and a description of the impact location.
     ball_speed, spin
-        Shares.
+        Relative errors.
     launch
-        Radians.
+        Errors [rad].
     """
 
     model: str
@@ -61,13 +61,13 @@ class Chart(Described):
     drives
         Number of drives.
     ratio
-        Mean and standard deviation of I w/(m R v_t), v_t being the ball's velocity along the face: 1 for a rigid ball
-        that leaves a face at rest rolling.
+        Mean and standard deviation of I w/(m R v_t), where v_t is the ball's velocity along the face: 1 for a rigid
+        ball that rolls off a face at rest.
     loft
-        Root mean square [rad] of the chart's lofts less those computed from its launch, ball speed and spin with the
-        mean ratio.
+        RMS difference [rad] between the chart's lofts and those computed from launch, ball speed and spin with the mean
+        ratio.
     errors
-        Of models.
+        Errors of the models.
     """
 
     drives: int
@@ -76,7 +76,7 @@ class Chart(Described):
     errors: list[Errors]
 
     def to_result(self) -> Result:
-        """Return the errors of the models, with conclusions on the chart in its notes, as a result."""
+        """Return the errors of the models as a result, with conclusions on the chart in the notes."""
         table = published_data.table(TABLE)
         ratio, spread = self.ratio
         best = self.errors[0]
@@ -98,7 +98,7 @@ class Chart(Described):
         )  # fmt: skip
 
     def _error_table(self) -> Table:
-        """Return a row a model and quantity."""
+        """Return the table of errors, with one row per model and quantity."""
         names = {"ball_speed": SHARE, "launch": quantity("launch"), "spin": SHARE}
         rows = [(each, name) for each in self.errors for name in names]
         kinds = [names[name] for _, name in rows]
@@ -119,7 +119,7 @@ class Chart(Described):
 def chart() -> Chart:
     """Compare the chart with models."""
     table = published_data.table(TABLE)
-    with without_warnings():  # the ball is a little smaller than the rules allow
+    with without_warnings():  # the ball is slightly smaller than the rules allow
         used = ball(BALL)
     launched = (used, table["ball_speed"], table["launch"], table["spin"])
     ratios = spin_ratio(*launched, table["dynamic_loft"])
@@ -140,7 +140,7 @@ def chart() -> Chart:
 
 
 def through_cg(head: Club) -> tuple[float, float]:
-    """Return the place on a flat face [m], towards the toe and up, whose normal runs through the mass centre."""
+    """Return the point on a flat face [m], towards the toe and up, whose normal passes through the CG."""
     return -head.cg_z, head.cg_height
 
 

@@ -1,4 +1,4 @@
-"""One published figure and what a model computes for it, checks made of such figures, and the model that is judged."""
+"""Published figures with a model's values, checks made of such figures, and the model under test."""
 
 from __future__ import annotations
 
@@ -27,43 +27,43 @@ CERTAINTIES = {
     "poor": "measured, but on few shots, read at second hand, or with most conditions assumed",
     A_MODEL: "computed by another model, whose agreement is no proof",
 }
-"""How sure a published figure is, as far as it can judge a model: words, and what they mean."""
+"""Reliability of a published figure for testing a model: words and their meaning."""
 SHARE = Quantity("share", "1", Reading("%", 1), Reading("%", 1), "share")
-"""Errors and tolerances that are shares of the published value."""
+"""Errors and tolerances relative to the published value."""
 READINGS = {
     "mph": "ball_speed", "deg": "launch", "rpm": "spin", "yd": "carry", "mm": "toe", "us": "contact_time",
     "1": "restitution", "%": "",
 }  # fmt: skip
-"""Quantities as which figures are read and written, by the unit of the figure; a share for per cent."""
+"""Quantities for formatting figures, by unit; a share for per cent."""
 
 
 def reading(unit: str) -> Quantity:
-    """Return the quantity as which figures of this unit are read and written."""
+    """Return the quantity for formatting figures with this unit."""
     return quantity_named(READINGS[unit]) if READINGS[unit] else SHARE
 
 
 class Figure(NamedTuple):
-    """One published figure, and what a model computes, SI.
+    """One published figure and the model's value, in SI units.
 
     Attributes
     ----------
     case
         The club, shot or test it belongs to.
     quantity
-        What it is, in words.
+        Name of the quantity, in words.
     unit
-        The unit it is read in.
+        Unit for display.
     published
-        The least and the largest value that the publication allows, infinite where there is none: a published range,
-        an average with what it leaves open (:mod:`clubface.validation.launches`), or twice the same for a single value.
+        Smallest and largest value compatible with the publication (infinite for no bound): a published range, an
+        average with what it leaves open (:mod:`clubface.validation.launches`), or a single value twice.
     computed
         The model's value; NaN if it does not compute the quantity.
     tolerance
-        How far outside the published range a model may be: in SI, or as a share of the published value.
+        Allowed distance from the published range, in SI or relative to the published value.
     relative
-        Whether the tolerance is a share.
+        Whether the tolerance is relative.
     certainty
-        How sure the published figure is, a word of ``CERTAINTIES``; empty until its check has filled it in.
+        Reliability of the published figure, one of ``CERTAINTIES``; empty until filled in by its check.
     """
 
     case: str
@@ -77,25 +77,25 @@ class Figure(NamedTuple):
 
     @property
     def error_unit(self) -> str:
-        """The unit in which errors and tolerances are read."""
+        """Unit of errors and tolerances for display."""
         return "%" if self.relative else self.unit
 
     @property
     def error(self) -> float:
-        """Computed less the nearest published value, SI or a share; 0 within the published range."""
+        """Computed value minus the nearest published value, in SI or relative; 0 within the published range."""
         low, high = self.published
         nearest = min(max(self.computed, low), high)
         return (self.computed - nearest) / (abs(nearest) if self.relative else 1.0)
 
     @property
     def inside(self) -> bool | None:
-        """Whether an interval holds what is computed; None where the model gives nothing, or one value is published."""
+        """Whether the value lies in the published interval; None without a value, or if a single value is published."""
         low, high = self.published
         return None if math.isnan(self.computed) or low == high else low <= self.computed <= high
 
     @property
     def within(self) -> bool | None:
-        """Whether the error is within the tolerance; None where the model gives nothing."""
+        """Whether the error is within the tolerance; None if the model gives no value."""
         return None if math.isnan(self.computed) else abs(self.error) <= self.tolerance
 
 
@@ -108,16 +108,16 @@ def figure(
 
 
 class Judged:
-    """The model that is judged, with its ball.
+    """The model under test, with its ball.
 
     Attributes
     ----------
     model
-        Its name.
+        Name of the model.
     ball
         As for :func:`clubface.impact`.
     tally
-        Counts its shots outside its range.
+        Counts shots outside the model's range.
     """
 
     def __init__(
@@ -128,14 +128,14 @@ class Judged:
         self.tally = tally or Tally()
 
     def strike(self, club: str | Club, *, parameters: dict[str, float] | None = None, **delivery: Any) -> Launch:
-        """Return the launch of one shot, SI; a value that is NaN gives a launch of NaN."""
+        """Return the launch of one shot [SI]; NaN inputs give a NaN launch."""
         with without_warnings(RangeWarning):
             result = impact(club, delivery, model=self.model, ball=self.ball, parameters=parameters, on_error="nan")
         self.tally.add(result)
         return result
 
     def at_launch(self, club: str | Club, launch: Any, **delivery: Any) -> Launch:
-        """Return shots whose launch angles [rad] are as given, by their dynamic lofts; NaN where no loft does it."""
+        """Return shots with given launch angles [rad], by solving for dynamic loft; NaN if no loft gives it."""
         with without_warnings(RangeWarning):
             result = impact_at_launch(club, delivery, launch=launch, model=self.model, ball=self.ball).launch
         self.tally.add(result)
@@ -159,11 +159,11 @@ class Check:
     sources
         Names of the published tables.
     reason
-        Why the tolerances are what they are, and what else may part model and figures.
+        Reason for the tolerances, and other causes of differences.
     certainty
-        How sure its published figures are, a word of ``CERTAINTIES``.
+        Reliability of its published figures, one of ``CERTAINTIES``.
     compute
-        Returns the figures by the model that is judged.
+        Returns the figures for the model under test.
     """
 
     name: str
@@ -180,11 +180,11 @@ class Check:
 
     @property
     def measured(self) -> bool:
-        """Whether the figures were measured; figures that another model computed are shown but judge no model."""
+        """Whether the figures were measured; figures from another model are shown but not counted."""
         return self.certainty != A_MODEL
 
     def figures(self, judged: Judged) -> list[Figure]:
-        """Return the figures by the model that is judged, each with its certainty."""
+        """Return the figures for the model under test, with their reliability."""
         return [each._replace(certainty=each.certainty or self.certainty) for each in self.compute(judged)]
 
 

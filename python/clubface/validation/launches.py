@@ -1,15 +1,15 @@
-"""Launches compared with published ones: spin, start direction, irons, optima, and what an average leaves open.
+"""Launches compared with published ones: spin, start direction, irons, optima, and the uncertainty of averages.
 
-Radar monitors compute the dynamic loft from the ball by a model of their own. A model that is given such a loft and
-judged by its spin is judged by the monitor's model. At the measured launch angle it is judged by what was measured.
+Radar monitors compute dynamic loft from the ball with a model of their own. Testing a model's spin at such a loft tests
+it against the monitor's model. At the measured launch angle it is tested against measurements.
 
-The mean of many shots is not the shot of the mean delivery. A face that scatters to both sides of the path adds spin to
-every shot, whichever side it is on, and strikes that scatter about a point are slower than one at the point. So a
-published average belongs to a mean delivery whose shot may have had less spin, and more speed, than the average. Of a
-driver the height of the strike is not published either, and at one launch angle a higher strike spins less.
+The mean of many shots is not the shot of the mean delivery. A face angle that scatters to both sides of the path adds
+spin to every shot, and impacts scattered around a point give less ball speed than an impact at the point. The mean
+delivery behind a published average may thus give less spin and more speed than the average. For a driver the impact
+height is not published either, and at a given launch angle a higher impact spins less.
 
-Both effects are computed with the default model, whatever model is judged, so that the interval is the same for all.
-Speed, attack angle and loft scatter too; the means hardly notice, since the launch is nearly linear in them.
+Both effects are computed with the default model whatever the model under test, so that the interval is always the same.
+Speed, attack angle and loft scatter too, but hardly affect the means, since launch is nearly linear in them.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from clubface.validation.check import Figure, Judged, figure, rows
 from clubface.validation.tour import averages, published_lofts
 
 HEIGHTS = tuple(units.parse(each, "length") for each in ("0 mm", "3 mm", "6 mm"))
-"""Strikes on a driver above its face centre: the middle one is computed, the others bound what it may have been."""
+"""Possible impact heights on a driver [m]: the middle one is computed, the others give the bounds."""
 CENTRE = (0.0,)
-"""Of other clubs."""
+"""Impact height for other clubs [m]."""
 DRIVER, WOODS = "driver", ("3-wood", "5-wood", "hybrid")
 FACE_NODES, STRIKE_NODES = 5, 3
-"""Points of the Gauss-Hermite quadrature over face-to-path, and over each coordinate of the strike."""
+"""Number of Gauss-Hermite points for face-to-path, and for each coordinate of the impact point."""
 QUANTITIES = ("ball_speed", "total_spin")
 
 
@@ -49,10 +49,10 @@ class Scatter(NamedTuple):
 
 
 def scatter(club: str, drive_speed: float) -> Scatter:
-    """Return how golfers scatter whose drives have a club speed [m/s].
+    """Return the scatter of golfers with a given club speed of drives [m/s].
 
-    A drive starts away from its path by the share of face-to-path that PING has measured (launch-shares-horizontal).
-    Their irons get the same face-to-path, and no scatter of the strike, since that on irons is not published.
+    Face-to-path follows from the published start-to-path with PING's measured share (launch-shares-horizontal). Irons
+    get the same face-to-path and no scatter of the impact point, since none is published for irons.
     """
     group = max(
         (row for row in rows("drive-scatter-blackmore") if row["club_speed_least"] <= drive_speed),
@@ -64,7 +64,7 @@ def scatter(club: str, drive_speed: float) -> Scatter:
 
 
 def scattered(scatter: Scatter) -> tuple[dict[str, Floats], Floats]:
-    """Return face angles and impact points that stand for normally distributed ones, and their weights, of sum 1."""
+    """Return quadrature points for normally distributed face angles and impact points, and weights of sum 1."""
     axes = [
         (spread * places, weights / weights.sum())
         for spread, (places, weights) in zip(
@@ -80,10 +80,10 @@ def scattered(scatter: Scatter) -> tuple[dict[str, Floats], Floats]:
 def ratios(
     club: str, speed: float, attack: float, launch: float, scatter: Scatter | None, heights: Sequence[float]
 ) -> dict[str, tuple[float, float]]:
-    """Return the least and the largest ratio of the shot that is computed to what may have been published, by quantity.
+    """Return the range of the ratio of the computed shot to the shots that may have been published, by quantity.
 
-    The shot that is computed is struck at the middle of ``heights`` and launches at an angle [rad]. What may have been
-    published is the shot of any of the heights with the same launch angle, or the mean of shots that scatter about it.
+    The computed shot is struck at the middle of ``heights`` and launches at the angle ``launch`` [rad]. The published
+    one may be the shot at any of the heights with the same launch angle, or the mean of shots that scatter about it.
     """
     reference = Judged(DEFAULT_MODEL)
     shots = reference.at_launch(club, launch, speed=speed, attack=attack, high=np.array(heights))
@@ -100,23 +100,24 @@ def ratios(
 
 
 SPEED, SPIN, DRIVE_SPIN = 0.025, 0.15, 0.09
-"""Tolerances: of ball speed; of the spin of irons, between which sources differ by a quarter at one launch and speed;
-and of the spin of drivers and woods, whose heads are unknown."""
+"""Relative tolerances of ball speed, of spin with irons (sources differ by a quarter at one launch and speed), and of
+spin with drivers and woods (whose heads are unknown)."""
 SEASONS = {"pga-2019": "PGA Tour 2019", "lpga-2019": "LPGA Tour 2019"}
-"""The tour averages, and what they are called here."""
+"""Tables of tour averages, with their titles."""
 TOUR_SPEED = units.parse("113 mph", "speed")
-"""Golfers on tour, whose scatter is not published, are taken to scatter no more than others who drive as fast."""
+"""Club speed of drives [m/s] for tour players' scatter, which is unpublished and assumed as for others of this
+speed."""
 COOL_CLUBS: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units.parse("-2 deg", "angle")}
 GOLF_DIGEST: dict[str, Any] = {"speed": units.parse("82 mph", "speed"), "attack": units.parse("-3 deg", "angle")}
-"""The swings of the robots that hit the 7-irons of Cool Clubs and of Golf Digest."""
+"""Swings of the robots in the 7-iron tests of Cool Clubs and Golf Digest."""
 ROBOT = {"club_speed": COOL_CLUBS["speed"], "attack": COOL_CLUBS["attack"]}
-"""The swing of the robot of Cool Clubs, by the columns of published tables."""
+"""Swing of the Cool Clubs robot, by column of the published tables."""
 BLADES = ("Staff MB", "Staff CB")
-"""The irons of the robot whose mass centre is as near the face as that of the 7-iron here."""
+"""Irons in the robot test whose CG is as close to the face as in the built-in 7-iron."""
 
 
 def tour(wanted: Callable[[str], bool]) -> Callable[[Judged], list[Figure]]:
-    """Return the comparison with the tour averages of the clubs that are ``wanted``."""
+    """Return the comparison with the tour averages for clubs selected by ``wanted``."""
 
     def compute(judged: Judged) -> list[Figure]:
         return [
@@ -133,7 +134,7 @@ def tour(wanted: Callable[[str], bool]) -> Callable[[Judged], list[Figure]]:
 
 
 def amateurs(judged: Judged) -> list[Figure]:
-    """Return ball speed and spin of the drives of golfers by handicap."""
+    """Return ball speed and spin of golfers' drives by handicap."""
     return [
         one
         for row in rows("drives-by-handicap")
@@ -144,7 +145,7 @@ def amateurs(judged: Judged) -> list[Figure]:
 
 
 def irons(judged: Judged) -> list[Figure]:
-    """Return ball speed and spin of irons of single golfers and of a robot, which does not scatter."""
+    """Return ball speed and spin of irons hit by single golfers and by a robot, which does not scatter."""
     blades = [row for row in rows("robot-7-irons-launch-2026") if row["model"] in BLADES]
     robot = {name: sum(row[name] for row in blades) / len(blades) for name in ("launch", "spin")}
     shots = [
@@ -162,7 +163,7 @@ def irons(judged: Judged) -> list[Figure]:
 
 
 def drives(judged: Judged) -> list[Figure]:
-    """Return ball speed and spin of drives of many golfers, chosen to start near their path, and of a single one."""
+    """Return ball speed and spin of many golfers' drives, selected to start near the path, and of a single golfer's."""
     return [
         one
         for table, who, scattered in (
@@ -178,7 +179,7 @@ def drives(judged: Judged) -> list[Figure]:
 
 
 def judged_at_launch(judged: Judged, what: str, row: Mapping[str, Any], *, scatter: Scatter | None) -> Iterator[Figure]:
-    """Return ball speed, if it is published, and spin of a published row whose launch angle is as measured.
+    """Yield ball speed, if published, and spin of a published row at the measured launch angle.
 
     A driver is struck at the middle of ``HEIGHTS``, other clubs at the face centre.
     """
@@ -197,16 +198,16 @@ def judged_at_launch(judged: Judged, what: str, row: Mapping[str, Any], *, scatt
 
 
 OPEN = units.parse("3 deg", "angle")
-"""Face angle to either side, with a club path of zero."""
+"""Face angle to either side with zero club path [rad]."""
 CURVE_TOLERANCE = 0.25
 BETWEEN_SOURCES = 0.06
-"""The largest difference between the two published shares of one club."""
+"""Largest difference between the two published shares of one club."""
 STEEPER_TOLERANCE = units.parse("1 deg", "angle")
 HEAD_SPEED = units.parse("100 mph", "speed")
 
 
 def deliveries() -> dict[str, dict[str, Any]]:
-    """Return a published delivery of each club for which shares are published: speed, attack angle, dynamic loft."""
+    """Return a published delivery for each club with published shares: speed, attack angle, dynamic loft."""
     drive = next(row for row in rows("drives-by-handicap") if row["group"] == "male, 10")
     wedge = next(row for row in rows("standard-shots-trackman") if row["club"] == "pitching-wedge")
     lofts = [row["dynamic_loft"] for row in rows("robot-7-irons-2026")]
@@ -218,7 +219,7 @@ def deliveries() -> dict[str, dict[str, Any]]:
 
 
 def shares(judged: Judged) -> list[Figure]:
-    """Return the shares of the way from club to face, of launch angle and of start direction."""
+    """Return the shares of the way from club direction to face normal, for launch angle and start direction."""
     result = []
     for club, delivery in deliveries().items():
         attack, loft = delivery["attack"], delivery["loft"]
@@ -236,7 +237,7 @@ def shares(judged: Judged) -> list[Figure]:
 
 
 def curvature(judged: Judged) -> list[Figure]:
-    """Return how far from their first line shots land whose face is open or closed to the path, which opposes it."""
+    """Return the distance from the start line at which shots with opposite face angle and path land."""
     result = []
     for row in rows("curvature-trackman"):
         table = "pga-2019" if row["group"] == "PGA Tour" else "lpga-2019"
@@ -254,7 +255,7 @@ def curvature(judged: Judged) -> list[Figure]:
 
 
 def head_after_impact(judged: Judged) -> list[Figure]:
-    """Return by how much steeper a driver's head goes down when the ball has left."""
+    """Return how much steeper a driver's head moves down after the ball has left."""
     (row,) = rows("head-after-impact")
     result = []
     for loft, steeper in (("spin_loft_least", "steeper_least"), ("spin_loft_most", "steeper_most")):
@@ -267,7 +268,7 @@ def head_after_impact(judged: Judged) -> list[Figure]:
 
 SLOPE_TOLERANCE = 0.15
 WEDGE: dict[str, Any] = {"speed": units.parse("46 mph", "speed"), "attack": units.parse("-5 deg", "angle")}
-"""The attack angle, which is not published, is that of the pitching wedges of the PGA Tour."""
+"""Swing of the robot with the wedge; the unpublished attack angle is that of PGA Tour pitching wedges."""
 WEDGE_TOLERANCE = units.parse("1 deg", "angle")
 LEAST_FRICTION, HALVINGS = 0.02, 10
 PEAK: dict[str, Any] = {"speed": units.parse("75 mph", "speed"), "attack": units.parse("-5 deg", "angle")}
@@ -276,7 +277,7 @@ PEAK_TOLERANCE = units.parse("4 deg", "angle")
 
 
 def by_loft(judged: Judged) -> list[Figure]:
-    """Return the spin of 7-irons at the mean of the published lofts or launch angles, and its slope over them."""
+    """Return the spin of 7-irons at the mean of the published lofts or launch angles, and its slope."""
     result = []
     for table, column, delivery in (
         ("robot-7-irons-2026", "dynamic_loft", GOLF_DIGEST), ("robot-7-irons-launch-2026", "launch", COOL_CLUBS),
@@ -304,10 +305,10 @@ def by_loft(judged: Judged) -> list[Figure]:
 
 
 def sliding(judged: Judged) -> list[Figure]:
-    """Return how much higher a ball starts that slides and spins less, by as much as published.
+    """Return how much higher a sliding ball launches whose spin is lower by the published amount.
 
-    The loft is that with which a urethane ball starts as published. The friction of the ball that slides is not known:
-    it is the one with which the model loses the published share of the spin.
+    The loft is chosen to match the published launch of a urethane ball. The unknown friction of the sliding ball is
+    chosen to match the published loss of spin.
     """
     row = {each["balls"]: each for each in rows("robot-wedge-covers-2025")}
     grips, slides = row["urethane"], row["two that slide"]
@@ -331,7 +332,7 @@ def sliding(judged: Judged) -> list[Figure]:
 
 
 def peak(judged: Judged) -> list[Figure]:
-    """Return the spin loft at which a wedge spins most."""
+    """Return the spin loft at which a wedge gives the most spin."""
     (row,) = rows("spin-peak")
     spins = np.array([float(judged.strike("pitching-wedge", loft=loft, **PEAK).total_spin) for loft in PEAK_LOFTS])
     published = (row["spin_loft_still_gripping"], row["spin_loft_sliding"])
@@ -340,7 +341,7 @@ def peak(judged: Judged) -> list[Figure]:
 
 
 def top(places: Floats, values: Floats) -> float:
-    """Return where values are largest, by a parabola through the largest and its neighbours; an end if they rise."""
+    """Return the place of the maximum, by a parabola through the largest value and its neighbours, or an end."""
     index = int(np.argmax(values))
     if index in (0, len(places) - 1):
         return float(places[index])
@@ -349,7 +350,7 @@ def top(places: Floats, values: Floats) -> float:
 
 
 LAUNCH_TOLERANCE, SPIN_TOLERANCE = units.parse("1 deg", "angle"), units.parse("300 rpm", "angular rate")
-"""What PING's chart counts as near the optimum."""
+"""Tolerances within which PING's chart counts a launch as near the optimum."""
 SPEEDS, ATTACKS = ("80 mph", "100 mph", "120 mph"), (-5.0, 0.0, 5.0)
 BALL_SPEEDS, BALL_ATTACKS = ("100 mph", "130 mph", "160 mph"), (-4.0, 0.0, 4.0)
 STEPS = np.radians(np.arange(-6.0, 7.0, 2.0))
@@ -358,7 +359,7 @@ SMASH = 1.46
 
 
 def longest(judged: Judged, speed: float, attack: float) -> Launch:
-    """Return the drive with the longest carry over all dynamic lofts."""
+    """Return the drive with the longest carry over dynamic loft."""
     lofts, carries = _carries(judged, speed, attack, math.radians(16.0) + 0.6 * attack)
     for _ in range(MOVES):
         if 0 < (best := int(np.argmax(carries))) < len(lofts) - 1:
@@ -387,7 +388,7 @@ def by_club_speed(judged: Judged) -> list[Figure]:
 def by_ball_speed(judged: Judged) -> list[Figure]:
     """Return the launches of the longest drives by ball speed and attack angle.
 
-    The club speed is that with which the longest drive has the published ball speed, after one correction.
+    Club speed is chosen so that the longest drive has the published ball speed, by one correction.
     """
     result = []
     speeds = {round(units.parse(each, "speed"), 6) for each in BALL_SPEEDS}

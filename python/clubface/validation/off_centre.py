@@ -1,8 +1,8 @@
-"""Causes of differences between models and published strikes off the centre: closure, inertia and depth of the CG.
+"""Causes of differences between models and published off-centre strikes: closure, inertia and CG depth.
 
-Each published figure is computed again with one thing changed. A radar reports the path of the geometric centre of the
-head, which is near its mass centre, and cameras report that of the face centre. A face that closes about a mass centre
-behind it moves to the left where it meets the ball, so that the two differ by 2 to 3 degrees for a driver.
+Each published figure is computed again with one change. Radar reports the path of the head's geometric centre, near its
+CG, while cameras report the path of the face centre. A closing face rotates about the CG behind it and so moves left at
+the ball; for a driver the two paths differ by 2 to 3 degrees.
 """
 
 from __future__ import annotations
@@ -23,44 +23,44 @@ from clubface.validation.check import Judged, reading
 from clubface.validation.run import published_columns
 
 CLOSURE = units.parse("2500 deg/s", "angular rate")
-"""Between the 1800 and 3600 deg/s of drives (S. MacKenzie, golf.com)."""
+"""Closure rate, between 1800 and 3600 deg/s for drives (S. MacKenzie, golf.com)."""
 LOFTING = units.parse("1000 deg/s", "angular rate")
-"""With it the face centre of a driver moves about 1 degree further up than the mass centre, as TrackMan has it."""
+"""Pitch rate at which a driver's face centre moves about 1 degree farther up than its CG, as stated by TrackMan."""
 SMALL_INERTIA = units.parse("4500 g cm2", "inertia")
-"""About the vertical, of a driver in the years of the published tests: that of McNally and co-workers (2016)."""
+"""Inertia about the vertical of a driver from the years of the published tests (McNally and co-workers, 2016)."""
 DEEPER = units.parse("10 mm", "length")
 
 
 def deeper(head: Club) -> Club:
-    """Return a head whose mass centre is ``DEEPER`` further behind the face, along the normal of the face."""
+    """Return a head whose CG is ``DEEPER`` farther behind the face, along the face normal."""
     return head.replace(
         cg_x=head.cg_x + DEEPER * math.cos(head.loft), cg_y=head.cg_y + DEEPER * math.sin(head.loft)
     )  # fmt: skip
 
 
 def less_inertia(head: Club) -> Club:
-    """Return a wood of less inertia about the vertical; other clubs are as they are."""
+    """Return a wood with less inertia about the vertical; other clubs are unchanged."""
     return head.replace(iyy=SMALL_INERTIA) if head.kind == "wood" else head
 
 
 def closing(head: Club, speed: float) -> dict[str, float]:
-    """Return a delivery with closure, whose path is that of the mass centre."""
+    """Return a delivery with closure, whose path is the CG's."""
     return {"closure": CLOSURE}
 
 
 def closing_on_path(head: Club, speed: float) -> dict[str, float]:
-    """Return a delivery with closure, with the mass centre moving right so that the face centre has a path of 0."""
+    """Return a delivery with closure and the CG moving right, so that the face centre has a path of 0."""
     return {"closure": CLOSURE, "path": math.atan(CLOSURE * head.cg_depth / speed)}
 
 
 def lofting(head: Club, speed: float) -> dict[str, float]:
-    """Return a delivery whose loft increases as the club swings."""
+    """Return a delivery with increasing loft."""
     return {"pitch_rate": LOFTING}
 
 
 @dataclass(frozen=True)
 class HeadVariation:
-    """One thing changed: its name, what becomes of the head, and what a delivery of a head and speed gets."""
+    """One change: its name, the changed head, and additions to the delivery for a head and speed."""
 
     name: str
     head: Callable[[Club], Club] = lambda head: head
@@ -78,7 +78,7 @@ CHANGES = (
 
 
 class Changed(Judged):
-    """A model that is judged with a change of the built-in heads and of every delivery."""
+    """A model under test with a change of the built-in heads and of every delivery."""
 
     def __init__(self, change: HeadVariation, model: str, ball: Any = None) -> None:
         super().__init__(model, ball)
@@ -100,7 +100,7 @@ class Changed(Judged):
 
 
 def causes(models: Sequence[str] = (DEFAULT_MODEL,), ball: str | os.PathLike[str] | None = None) -> Table:
-    """Return a row a published figure of strikes off the centre and model, with what every change computes."""
+    """Return a table with a row per off-centre figure and model, and a column of values for each change."""
     from clubface.validation.catalogue import check_named
 
     checks = [check_named(name) for name in ("toe-hits", "strike-height", "gear-effect", "best-strike")]

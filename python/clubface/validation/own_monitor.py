@@ -1,9 +1,9 @@
-"""A session on your own monitor compared with the model and with the two camps of published irons.
+"""A session on your own monitor compared with the model and with the two camps of published iron data.
 
-At the same launch and speed the irons of the tours spin up to a quarter more than irons swung by robots and those of
-single golfers before carefully described monitors. No model meets both, so that it matters which of them a monitor
-resembles. Every set is compared with one model at its own measured launch, which takes out speed, launch and club; what
-is left is the spin measured over the spin computed. Lofts that monitors compute from the ball enter none of it.
+At the same launch and speed, irons in tour averages spin up to a quarter more than irons hit by robots and by single
+golfers on carefully documented monitors. No model matches both, so it matters which camp a monitor resembles. Every set
+is compared with one model at its own measured launch, which removes the effects of speed, launch and club and leaves
+the ratio of measured to computed spin. Lofts that monitors compute from the ball are not used.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ TOURS, SINGLE = CAMPS = ("tours", "robots and single golfers")
 SINGLE_TABLES = ("robot-7-irons-launch-2026", "shots-bliss-2026", "shots-r50-2026")
 UNDECIDED, NEITHER = "undecided", "neither"
 FEWEST = 5
-"""Shots of a club below which no interval means anything."""
+"""Minimum number of shots with a club for a meaningful interval."""
 RESAMPLES, SEED = 2000, 0
 LIKELY = 0.95
 
 
 class Share(NamedTuple):
-    """Measured over computed: the median over the shots, and between which values it lies with 95%."""
+    """Measured over computed: median over the shots with its 95% interval."""
 
     middle: float
     low: float
@@ -59,20 +59,20 @@ class OwnClub(NamedTuple):
     Attributes
     ----------
     club, head
-        Its name in the file, and the built-in club it is computed with.
+        Name in the file, and the built-in club used for the computation.
     shots
         Number of shots compared.
     launch, spin
         Medians of the measured launch angle [rad] and spin [rad/s].
     spin_index
-        Median of the spin over club speed times the sine of the angle from path to launch [rad/m].
+        Median of spin divided by club speed times the sine of the angle from path to launch [rad/m].
     spin_share, speed_share
-        Measured over computed at the measured launch, of spin and ball speed; the latter None where not measured.
+        Measured over computed spin and ball speed at the measured launch; the latter None if not measured.
     camps
-        The least and the largest share of spin of each camp; empty but for the irons of the tours.
+        Range of the spin share in each camp; empty except for irons in the tour averages.
     resembles
-        The camp within which the whole interval lies, with half of the gap between both, or ``UNDECIDED`` or
-        ``NEITHER``; "" without camps.
+        The camp whose range, widened by half the gap between both, contains the whole interval; else ``UNDECIDED`` or
+        ``NEITHER``, or "" without camps.
     """
 
     club: str
@@ -94,11 +94,11 @@ class OwnMonitor(Described):
     Attributes
     ----------
     source, model, ball
-        The file, the model, and the ball as it was given.
+        The file, the model, and the ball as given.
     clubs
-        What was compared.
+        The clubs compared.
     notes
-        What was left out and why, and what the shots say of themselves.
+        Clubs left out with reasons, and notes on the shots.
     """
 
     source: str
@@ -108,7 +108,7 @@ class OwnMonitor(Described):
     notes: tuple[Note, ...]
 
     def to_result(self) -> Result:
-        """Return it as a result: a row a club, and the camps."""
+        """Return the comparison as a result: one row per club, and the camps."""
         return Result(
             kind="own-monitor", title=f"{self.source} compared with {self.model} at its own measured launch",
             tables=(self._club_table(), camp_table(self.model, self.ball)), notes=tuple(self._notes()),
@@ -137,7 +137,7 @@ class OwnMonitor(Described):
         )  # fmt: skip
 
     def _notes(self) -> Iterator[Note]:
-        """Yield how the table is to be read, then the notes on the shots."""
+        """Yield notes on reading the table, then the notes on the shots."""
         seven = index_of_camps()["7-iron"]
         yield note("own-monitor-share", model=self.model)
         yield note(
@@ -152,7 +152,7 @@ class OwnMonitor(Described):
 
 
 _SHARE_ENDS = ("", "_low", "_high")
-"""Endings of the names of the columns of a :class:`Share`."""
+"""Endings of the column names for a :class:`Share`."""
 
 
 def own_monitor(
@@ -166,10 +166,10 @@ def own_monitor(
     Parameters
     ----------
     shots
-        Recorded shots that name their clubs, or files that :func:`clubface.shots.read` reads. Club speed,
-        attack angle, launch angle and spin must have been measured.
+        Recorded shots with club names, or files for :func:`clubface.shots.read`. Club speed, attack angle, launch angle
+        and spin must have been measured.
     model, ball
-        As for :func:`clubface.impact`; the camps are computed with the same.
+        As for :func:`clubface.impact`; also used for the camps.
     """
     recorded = shots if isinstance(shots, RecordedShots) else read(shots)
     if recorded.clubs is None:
@@ -199,7 +199,7 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
             raise InputError(needed, None, "measured, to compare spin at the measured launch")
     notes += measured.notes
     spin = ready.launches[kind][measured.places]
-    # Without the path, the start direction says nothing of the face angle.
+    # Without the path, start direction does not determine the face angle.
     start: dict[str, Any] = {
         each: values for each, values in measured.start.items() if each == "launch" or "path" in measured.delivery
     }
@@ -218,7 +218,7 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
     speeds = None if speed is None else (speed / computed.ball_speed)[used]
     spins = _share(share[used])
     camps = camps_of(ready.club.name, model, ball) if ready.club.kind == "iron" else {}
-    index = spin / (measured.delivery["speed"] * np.sin(_turned(measured.delivery, start)))
+    index = spin / (measured.delivery["speed"] * np.sin(_launch_angle_from_path(measured.delivery, start)))
     return OwnClub(
         name, ready.club.name, int(used.sum()), float(np.median(start["launch"][used])), float(np.median(spin[used])),
         float(np.median(index[used])), spins,
@@ -227,8 +227,8 @@ def _own_club(recorded: RecordedShots, name: str, model: str, ball: Any, notes: 
     )  # fmt: skip
 
 
-def _turned(delivery: Mapping[str, Floats], start: Mapping[str, Floats]) -> Floats:
-    """Return the angle from the path of the club to the launch [rad]."""
+def _launch_angle_from_path(delivery: Mapping[str, Floats], start: Mapping[str, Floats]) -> Floats:
+    """Return the angle between the club's path and the launch direction [rad]."""
     attack, launch = delivery["attack"], start["launch"]
     sideways = start["azimuth"] - delivery["path"] if "azimuth" in start else 0.0
     return np.arccos(np.sin(attack) * np.sin(launch) + np.cos(attack) * np.cos(launch) * np.cos(sideways))
@@ -243,7 +243,7 @@ def _share(values: Floats) -> Share:
 
 
 def resembled(share: Share, camps: Mapping[str, tuple[float, float]]) -> str:
-    """Return the camp in which the interval of a share lies, each camp being wider by half of the gap between both."""
+    """Return the camp that contains the interval of a share, after widening both by half the gap between them."""
     gap = max(0.0, camps[TOURS][0] - camps[SINGLE][1])
     wide = {name: (low - 0.5 * gap, high + 0.5 * gap) for name, (low, high) in camps.items()}
     for name, (low, high) in wide.items():
@@ -254,13 +254,13 @@ def resembled(share: Share, camps: Mapping[str, tuple[float, float]]) -> str:
 
 
 def camps_of(head: str, model: str, ball: Any = None) -> dict[str, tuple[float, float]]:
-    """Return the least and the largest share of spin of each camp: the tours with this iron, and all other irons.
+    """Return the range of the spin share in each camp: the tours with this iron, and all other irons.
 
-    Empty for irons that no tour publishes.
+    Empty for irons without tour averages.
     """
     try:
         shares = _shares(model, ball)
-    except TypeError:  # a ball that is not hashable
+    except TypeError:  # an unhashable ball
         shares = _shares.__wrapped__(model, ball)
     tours = shares.get((TOURS, head))
     if tours is None:
@@ -271,7 +271,7 @@ def camps_of(head: str, model: str, ball: Any = None) -> dict[str, tuple[float, 
 
 @cache
 def _shares(model: str, ball: Any) -> dict[tuple[str, str], list[float]]:
-    """Return the shares of spin of all published irons by camp and club."""
+    """Return the spin shares of all published irons by camp and club."""
     shares: dict[tuple[str, str], list[float]] = {}
     published = list(_published())
     for camp, name in dict.fromkeys((camp, row["club"]) for camp, row in published):
@@ -296,7 +296,7 @@ def _published() -> Iterator[tuple[str, Mapping[str, Any]]]:
 
 
 def index_of_camps() -> dict[str, dict[str, tuple[float, float]]]:
-    """Return the least and the largest spin index [rad/m] of the published tables, by iron of the tours and camp."""
+    """Return the range of the spin index [rad/m] in published tables, by iron and camp, for irons of the tours."""
     indices: dict[str, dict[str, list[float]]] = {}
     for camp, row in _published():
         index = float(row["spin"] / (row["club_speed"] * np.sin(row["launch"] - row["attack"])))
@@ -309,7 +309,7 @@ def index_of_camps() -> dict[str, dict[str, tuple[float, float]]]:
 
 
 def camp_table(model: str = DEFAULT_MODEL, ball: Any = None) -> Table:
-    """Return the ranges of both camps by iron of the tours: the spin index, and measured over computed spin."""
+    """Return the table of both camps' ranges of spin index and of measured over computed spin, by iron."""
     indices = index_of_camps()
     shares = {club: camps_of(club, model, ball) for club in indices}
     return table(
@@ -333,7 +333,7 @@ _CAMP_ENDS = [
 
 
 def _camp_columns(camps: Sequence[Mapping[str, tuple[float, float]]]) -> list[Column]:
-    """Return the least and the largest share of spin of each camp."""
+    """Return columns with the range of the spin share in each camp."""
     return [
         column(f"{name}_{end}_share", [each[camp][place] if each else None for each in camps], "1", digits=2,
                label=f"spin, {camp}, {end}")

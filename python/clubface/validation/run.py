@@ -1,4 +1,4 @@
-"""Running checks on models, and the validation as a result: every figure, what each check comes to, and a picture."""
+"""Running checks on models, and the validation as a result: every figure, a summary of each check, a picture."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ class CheckSummary(NamedTuple):
     Attributes
     ----------
     quantity, unit
-        What is compared; errors that are shares have the unit "%".
+        Name and unit of the quantity; relative errors have the unit "%".
     figures
         Number of figures.
     inside, intervals
-        How many of them are inside the published interval, and of how many one is published.
+        Number of figures inside the published interval, and number with an interval.
     within
-        How many of the figures are within the tolerance.
+        Number of figures within the tolerance.
     median, mean, bias, worst
-        Median and mean of the magnitudes of the errors, their mean, and the error of the largest magnitude, SI or
-        shares; NaN if the model does not compute the quantity.
+        Median and mean absolute error, mean error, and error of largest magnitude, in SI or relative; NaN if the model
+        does not compute the quantity.
     tolerances
-        The least and the largest tolerance of the figures, SI or shares.
+        Smallest and largest tolerance of the figures, in SI or relative.
     scaled
-        Mean of the magnitudes of the errors, each over its tolerance.
+        Mean absolute error over tolerance.
     """
 
     quantity: str
@@ -67,7 +67,7 @@ class CheckSummary(NamedTuple):
 
     @property
     def met(self) -> bool:
-        """Whether the errors are on average within their tolerances."""
+        """Whether the errors are within their tolerances on average."""
         return self.scaled <= 1.0
 
 
@@ -77,9 +77,9 @@ class Verdict(NamedTuple):
     Attributes
     ----------
     met, every
-        Quantities in which the model is within the tolerance on average, and with every figure.
+        Number of quantities in which the model is within the tolerance on average, and for every figure.
     of
-        Quantities that the model computes.
+        Number of quantities the model computes.
     """
 
     met: int
@@ -88,7 +88,7 @@ class Verdict(NamedTuple):
 
 
 def summary(figures: Iterable[Figure]) -> list[CheckSummary]:
-    """Return one summary for each quantity, in the order in which they come first."""
+    """Return one summary per quantity, in order of first appearance."""
     by_quantity: dict[str, list[Figure]] = {}
     for each in figures:
         by_quantity.setdefault(each.quantity, []).append(each)
@@ -111,7 +111,7 @@ def summary(figures: Iterable[Figure]) -> list[CheckSummary]:
 
 
 def _mean(values: Sequence[float]) -> float:
-    """Return the mean, NaN of nothing."""
+    """Return the mean, or NaN for no values."""
     return sum(values) / len(values) if values else math.nan
 
 
@@ -122,9 +122,9 @@ class Validation(Described):
     Attributes
     ----------
     checks
-        What was checked.
+        The checks.
     figures
-        The figures by model, then by name of the check.
+        The figures by model and name of the check.
     ball
         Name of the ball.
     """
@@ -135,21 +135,21 @@ class Validation(Described):
 
     @property
     def models(self) -> list[str]:
-        """The models, in the order asked for."""
+        """The models, in the order requested."""
         return list(self.figures)
 
     def summary(self, model: str, check: str) -> list[CheckSummary]:
-        """Return how a model does in each quantity of a check."""
+        """Return the summary of a model for each quantity of a check."""
         return summary(self.figures[model][check])
 
     def verdict(self, model: str) -> Verdict:
-        """Return in how many measured quantities of all checks a model is within the tolerance."""
+        """Return the number of measured quantities, over all checks, in which a model is within the tolerance."""
         every = [each for check in self.checks if check.measured for each in self.summary(model, check.name)]
         known = [each for each in every if each.known]
         return Verdict(sum(each.met for each in known), sum(each.within == each.figures for each in known), len(known))
 
     def to_result(self, *, detailed: bool = True) -> Result:
-        """Return it as a result; unless ``detailed``, people see the summary alone."""
+        """Return the validation as a result; unless ``detailed``, only the summary is printed."""
         return validation_result(self, detailed=detailed)
 
 
@@ -160,18 +160,18 @@ def validate(
     ball: str | os.PathLike[str] | Ball | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Validation:
-    """Compute published figures by models.
+    """Compare models with published figures.
 
     Parameters
     ----------
     models
-        Which models, ``fem`` among them; ``response`` unless given.
+        Names of models, including ``fem``; default ``response``.
     checks
-        Names of checks of ``CHECKS``; all unless given.
+        Names of checks in ``CHECKS``; default all.
     ball
         As for :func:`clubface.impact`.
     progress
-        Called with the number of checks done and of all, over all models.
+        Called with the number of checks done and the total, over all models.
     """
     names = [model_named(each).name for each in ([models] if isinstance(models, str) else models)]
     chosen = CHECKS if checks is None else tuple(check_named(each) for each in checks)
@@ -188,11 +188,11 @@ def validate(
 
 
 EDGE = 4.0
-"""Errors beyond so many tolerances are drawn at the edge."""
+"""Number of tolerances beyond which errors are drawn at the edge."""
 
 
 def validation_result(validation: Validation, *, detailed: bool = True) -> Result:
-    """Return a validation as a result; unless ``detailed``, people see the summary alone."""
+    """Return a validation as a result; unless ``detailed``, only the summary is printed."""
     reasons = (each for check in validation.checks for each in check_notes(check)) if detailed else ()
     verdicts = (
         note("validation-verdict", model=model, met=verdict.met, quantities=verdict.of, every=verdict.every)
@@ -208,11 +208,11 @@ def validation_result(validation: Validation, *, detailed: bool = True) -> Resul
 
 
 MOST_MISSES = 3
-"""Largest number of quantities outside their tolerance that are named next to the verdict of a model."""
+"""Maximum number of failed quantities named with a model's verdict."""
 
 
 def _misses(validation: Validation) -> Iterator[Note]:
-    """Yield the measured quantities of each model whose mean errors are the most tolerances large."""
+    """Yield, for each model, the measured quantities with the largest mean errors over tolerance."""
     for model in validation.models:
         missed = [
             (each, check.name)
@@ -231,13 +231,13 @@ def _misses(validation: Validation) -> Iterator[Note]:
 
 
 def check_notes(check: Check) -> list[Note]:
-    """Return why the tolerances of a check are as they are, and its sources."""
+    """Return the reason for a check's tolerances, and its sources."""
     sources = (note("published-table", title=each.title, source=each.source) for each in check.tables)
     return [note("check-reason", check=check.name, reason=check.reason), *sources]
 
 
 def figure_table(validation: Validation, *, printed: bool = True) -> Table:
-    """Return the table of every figure by every model."""
+    """Return the table of all figures by all models."""
     rows = [
         (check.name, model, each)
         for check in validation.checks
@@ -267,7 +267,7 @@ def figure_table(validation: Validation, *, printed: bool = True) -> Table:
 
 
 def published_columns(figures: list[Figure]) -> tuple[Column, Column]:
-    """Return the least and the largest published value; a bound has no largest."""
+    """Return the columns with the ends of the published range; an upper end may be missing."""
     quantities = [reading(each.unit) for each in figures]
     least, most = zip(*(each.published for each in figures), strict=True)
     return (
@@ -277,7 +277,7 @@ def published_columns(figures: list[Figure]) -> tuple[Column, Column]:
 
 
 def summary_table(validation: Validation) -> Table:
-    """Return a row a check, quantity and model: how many figures are inside and within, and how large errors are."""
+    """Return a table with a row per check, quantity and model: figures inside and within, and sizes of errors."""
     rows = [
         (check, model, validation.summary(model, check.name)[place])
         for check in validation.checks
@@ -313,7 +313,7 @@ def summary_table(validation: Validation) -> Table:
 
 
 def check_table(validation: Validation) -> Table:
-    """Return the table of the checks: what they compare, how sure that is, and why the tolerances are as they are."""
+    """Return the table of checks: what they compare, its reliability, and the reasons for the tolerances."""
     checks = validation.checks
     return Table(
         "checks",
@@ -327,14 +327,14 @@ def check_table(validation: Validation) -> Table:
 
 
 def tolerance_text(summary: CheckSummary) -> str:
-    """Write the tolerance, or the range of tolerances, of a quantity."""
+    """Return the tolerance, or the range of tolerances, of a quantity as text."""
     quantity = reading(summary.unit)
     least, most = (format_value(each, quantity) for each in summary.tolerances)
     return most if least == most else f"{least.split(' ')[0]} to {most}"
 
 
 def validation_picture(validation: Validation) -> Picture:
-    """Return a picture with a row for each quantity of each check: every error over its tolerance, by model."""
+    """Return the picture of all errors over their tolerances, by model, with a row for each quantity of each check."""
     rows = [
         (check, each) for check in validation.checks for each in validation.summary(validation.models[0], check.name)
     ]
@@ -357,7 +357,7 @@ def validation_picture(validation: Validation) -> Picture:
 
 
 def _error_marks(validation: Validation, rows: list[tuple[Check, CheckSummary]]) -> Iterator[Mark]:
-    """Yield the points of each model, those of one quantity a little apart from those of the next model."""
+    """Yield the points of each model, slightly offset so that models do not overlap."""
     models = validation.models
     for index, model in enumerate(models):
         offset = (index - 0.5 * (len(models) - 1)) * 0.56 / max(len(models), 2)
@@ -372,6 +372,6 @@ def _error_marks(validation: Validation, rows: list[tuple[Check, CheckSummary]])
 
 
 def mean_text(summary: CheckSummary) -> str:
-    """Write the mean magnitude of the errors of a quantity with its unit; "" if the model does not compute it."""
+    """Return the mean absolute error of a quantity as text with its unit; "" if the model does not compute it."""
     quantity = reading(summary.unit)
     return format_value(summary.mean, quantity) if format_number(summary.mean, 1) else ""

@@ -1,4 +1,4 @@
-"""Strikes off the centre of the face, and restitution against plates and against a head without spring effect."""
+"""Off-centre strikes, and restitution against plates and a head without spring effect."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clubface.support.checks import without_warnings
 from clubface.validation.check import Figure, Judged, figure, rows
 
 TOE_SPEED, TOE_LOFT = units.parse("95 mph", "speed"), units.parse("15 deg", "angle")
-"""Of the robot; the loft, which is not stated, is TrackMan's best for this speed."""
+"""Speed and loft of the robot; the unpublished loft is TrackMan's optimum for this speed."""
 SPEED_TOLERANCE = 0.01
 LAUNCH_TOLERANCE = units.parse("1 deg", "angle")
 SPIN_TOLERANCE = units.parse("200 rpm", "angular rate")
@@ -27,7 +27,7 @@ IRON: dict[str, Any] = {"speed": units.parse("80 mph", "speed"), "attack": units
                         "loft": units.parse("22.4 deg", "angle")}  # fmt: skip
 """TrackMan's standard 6-iron shot."""
 DEPTHS = (28.0, 42.0)
-"""Depth of the mass centre behind the face [mm]."""
+"""Depths of the CG behind the face [mm]."""
 BEST_LAUNCHES = {
     way: [units.parse(each, "angle") for each in launches]
     for way, launches in (("high", ("10 deg", "12 deg", "14 deg")), ("toe", ("12 deg",)))
@@ -53,7 +53,7 @@ def toe_hits(judged: Judged) -> list[Figure]:
 
 
 def height(judged: Judged) -> list[Figure]:
-    """Return what 15 mm of height on the face of a driver change, half of them below its centre."""
+    """Return the effect of striking a driver 15 mm higher, from 7.5 mm below the centre to 7.5 mm above."""
     (row,) = rows("driver-height-2014")
     half = row["higher"] / 2.0
     low, high = (judged.strike("driver", speed=TOE_SPEED, loft=TOE_LOFT, high=each) for each in (-half, half))
@@ -125,7 +125,7 @@ def nominal(depth: float) -> Club:
 
 RESTITUTION_TOLERANCE, TANGENTIAL_TOLERANCE, SLOW_TOLERANCE = 0.01, 0.1, 0.02
 OBLIQUE_SPEED = 20.0
-"""Of the balls at 50 degrees, whose speed is not stated [m/s]."""
+"""Assumed speed of the balls at 50 degrees, which is not stated [m/s]."""
 GRIPPING = units.parse("40 deg", "angle")
 DRIVE: dict[str, Any] = {"speed": units.parse("113 mph", "speed"), "attack": units.parse("-1.3 deg", "angle"),
                          "loft": units.parse("12.8 deg", "angle")}  # fmt: skip
@@ -144,7 +144,7 @@ def block(mass: float, inertia: float) -> Club:
 
 PLATE = block(1e3, 1e3)
 HEAD = block(units.parse("200 g", "mass"), 0.05)
-"""A head that does not turn, which is what a test at the projection of the mass centre comes to."""
+"""A head that does not rotate, which is equivalent to a test at the projection of the CG."""
 
 
 def restitutions(shot: Launch, speed: float, angle: float) -> tuple[float, float]:

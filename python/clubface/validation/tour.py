@@ -1,19 +1,19 @@
-"""The published averages of the tours, club by club, and what every model makes of them.
+"""Published tour averages, club by club, compared with every model.
 
-Each club is delivered at its published speed and attack angle. Where its dynamic loft is published, every model uses
-that. For every other club each model gets the loft with which it launches the ball at the published angle: its launch
-angle is then no prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
+Each club is delivered at its published speed and attack angle. If its dynamic loft is published, every model uses it.
+Otherwise each model gets the loft with which it launches the ball at the published angle. The launch angle is then not
+a prediction, but ball speed, spin and carry are, and the loft carries no other model's errors.
 
-The spin of a ball relative to its speed along the face is I w / (m R v_t), angular over linear momentum and radius.
-A force along the face that acts at the distance R from the centre of a resting ball gives it m v_t along the face and I
-w = R m v_t: the ratio is 1, whether the ball slides, sticks or rolls off. The centre of a ball that is flattened is
-nearer to the face while the force acts, which makes it 0.85 to 0.95. That is for a face that does not turn, or nearly
-for the face at maximum compression, whose loft TrackMan calls the dynamic loft. Until then a free head turns up by 0.5
-to 0.8 degrees (irons) or less than 0.3 (woods), so that over the face of first touch the ratio is larger: for irons by
-0.1 to 0.2, for a driver, along which the ball hardly moves, by up to as much as itself.
+The spin of a ball relative to its speed along the face is I w / (m R v_t), angular momentum over linear momentum and
+radius. A force along the face at the distance R from the centre of a resting ball gives it m v_t along the face and I w
+= R m v_t, so the ratio is 1 whether the ball slides, sticks or rolls off. While the force acts, the centre of a
+flattened ball is closer to the face, which reduces the ratio to 0.85 to 0.95. This holds for a face that does not
+rotate, and nearly for the face at maximum compression, whose loft TrackMan calls dynamic loft. Until then a free head
+rotates upwards by 0.5 to 0.8 degrees (irons) or less than 0.3 (woods), so that relative to the face at first touch the
+ratio is larger: by 0.1 to 0.2 for irons, and by up to a factor of two for a driver, along which the ball hardly moves.
 
-So a published speed, launch angle and spin belong to a narrow range of dynamic lofts, and with a loft that is further
-off than the head turns they cannot be those of one shot.
+A published speed, launch angle and spin therefore imply a narrow range of dynamic lofts. If a published loft differs
+from it by more than the head rotates, the values cannot belong to one shot.
 """
 
 from __future__ import annotations
@@ -52,18 +52,18 @@ from clubface.units import from_si
 __all__ = ["TABLES", "Average", "Tour", "averages", "mean_absolute_error", "solve_loft", "tour", "tour_result"]
 
 TABLES = {"pga-2023": None, "pga-2019": "PGA Tour", "lpga-2019": "LPGA Tour"}
-"""The published tables that models are compared with, each with the group whose published dynamic lofts belong to it.
-The LPGA Tour's of 2023 is not among them, since one of its spins looks misprinted."""
+"""Published tables to compare with, each with the group whose published dynamic lofts belong to it. The LPGA Tour's
+table of 2023 is left out, since one of its spins looks misprinted."""
 DEFAULT_TABLE = "pga-2023"
 
 
 class Average(NamedTuple):
-    """The published averages of one club, SI.
+    """The published averages of one club, in SI units.
 
     Attributes
     ----------
     club
-        Its name, that of a built-in club.
+        Name of the built-in club.
     club_speed, attack
         Delivery [m/s, rad].
     ball_speed, launch, spin
@@ -84,7 +84,7 @@ class Average(NamedTuple):
 
 
 def averages(table: str = DEFAULT_TABLE) -> list[Average]:
-    """Return the rows of a table of ``TABLES``, driver to pitching wedge, for which there is a built-in club."""
+    """Return the rows of a table of ``TABLES``, driver to pitching wedge, that have a built-in club."""
     published = published_table(table)
     rows = zip(*(published[name].tolist() for name in Average._fields), strict=True)
     return [row for row in map(Average._make, rows) if row.club in TOUR_CLUBS]
@@ -114,9 +114,9 @@ def solve_loft(
     model: str,
     ball: str | os.PathLike[str] | Ball | None = None,
 ) -> float:
-    """Return the dynamic loft [rad] with which a model launches the ball at the angle ``launch`` [rad].
+    """Return the dynamic loft [rad] at which a model launches the ball at the angle ``launch`` [rad].
 
-    The ball is struck ``high`` [m] above the face centre. A launch angle out of reach is an :class:`InputError`.
+    The ball is struck ``high`` [m] above the face centre. An unreachable launch angle raises an :class:`InputError`.
     """
     with without_warnings(RangeWarning):
         solved = impact_at_launch(
@@ -128,24 +128,24 @@ def solve_loft(
 
 
 RIGID = 1.0
-"""The ratio of a ball that stays round."""
+"""Ratio for a ball that stays round."""
 FLATTENED = 0.85
-"""The least ratio that a flattened ball has, in throws of finite elements at a plane."""
+"""Smallest ratio for a flattened ball, from finite element impacts on a plane."""
 
 
 def spin_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, loft: Any) -> Any:
-    """Return I w / (m R v_t) of launches [m/s, rad, rad/s] in the vertical plane of a face of dynamic loft [rad]."""
+    """Return I w / (m R v_t) of launches [m/s, rad, rad/s] in the vertical plane, for dynamic lofts [rad]."""
     return rolling_speed(ball, spin) / (speed * np.sin(loft - np.asarray(launch)))
 
 
 def loft_of_ratio(ball: Ball, speed: Any, launch: Any, spin: Any, ratio: float) -> NDArray[np.float64]:
-    """Return the dynamic lofts [rad] with which launches have this ratio; NaN where no loft gives so much spin."""
+    """Return the dynamic lofts [rad] at which launches have this ratio; NaN if no loft gives so much spin."""
     share = rolling_speed(ball, spin) / (np.asarray(speed) * ratio)
     return launch + np.arcsin(np.where(np.abs(share) <= 1.0, share, np.nan))
 
 
 def spin_ratio_of(launch: Launch, loft: float) -> float:
-    """Return the ratio of one launch over a square face of loft [rad] at first touch, all directions taken together."""
+    """Return the ratio of one launch in three dimensions, for a square face with loft [rad] at first touch."""
     normal = np.array([np.cos(loft), np.sin(loft), 0.0])
     velocity = np.array([launch.velocity_x, launch.velocity_y, launch.velocity_z])
     along = velocity - normal * (velocity @ normal)
@@ -153,12 +153,12 @@ def spin_ratio_of(launch: Launch, loft: float) -> float:
 
 
 QUANTITIES = ("ball_speed", "launch", "spin", "carry")
-"""What is compared. Spin is the total spin, as launch monitors report it."""
+"""Quantities compared. Spin is total spin, as launch monitors report it."""
 
 
 @dataclass(frozen=True)
 class Tour(Described):
-    """Published averages and models, SI; every array holds one value a club.
+    """Published averages and models, in SI units; every array has one value per club.
 
     Attributes
     ----------
@@ -167,17 +167,17 @@ class Tour(Described):
     averages
         Its rows.
     loft_is_published
-        For which clubs the dynamic loft is published; for the others each model has its own.
+        Whether the dynamic loft is published for each club; otherwise each model has its own.
     lofts
-        Dynamic loft with which each club is delivered [rad], by model: published, or solved.
+        Delivered dynamic loft [rad] by model, published or solved.
     solved_lofts
-        Dynamic loft [rad] with which each model launches as published, of every club.
+        Dynamic loft [rad] by model that reproduces the published launch angle.
     launches
-        The launches of each model, one a club.
+        The launches of each model, one per club.
     values
-        Each quantity of ``QUANTITIES`` by model, the carry from the model's own launch.
+        The ``QUANTITIES`` by model, with the carry of the model's own launch.
     carry_of_published
-        Carry [m] of the flight model from the published ball speed, launch angle and spin.
+        Carry [m] computed by the flight model from the published ball speed, launch angle and spin.
     """
 
     table: PublishedTable
@@ -196,12 +196,12 @@ class Tour(Described):
 
     @property
     def left_out(self) -> list[str]:
-        """The clubs of the published table that have no built-in head."""
+        """The clubs of the published table without a built-in head."""
         return [str(club) for club in self.table["club"] if club not in self.clubs]
 
     @property
     def models(self) -> list[str]:
-        """The models, in the order asked for."""
+        """The models, in the order requested."""
         return list(self.values)
 
     @cached_property
@@ -210,27 +210,27 @@ class Tour(Described):
         return {name: np.array([getattr(each, name) for each in self.averages]) for name in QUANTITIES}
 
     def to_result(self) -> Result:
-        """Return it as a result."""
+        """Return the comparison as a result."""
         return tour_result([self])
 
     def is_fitted(self, quantity: str) -> NDArray[np.bool_]:
-        """Return for which clubs a quantity is no prediction: the launch angle from which the loft was solved."""
+        """Return for which clubs a quantity is fitted, not predicted: the launch angle, if the loft was solved."""
         return ~self.loft_is_published if quantity == "launch" else np.zeros(len(self.averages), dtype=bool)
 
     def errors(self, model_name: str) -> dict[str, Floats]:
-        """Return model less published, by quantity."""
+        """Return model minus published value, by quantity."""
         return {name: self.values[model_name][name] - self.published[name] for name in QUANTITIES}
 
     def predicted(self, model_name: str, quantity: str) -> Floats:
-        """Return the errors of one quantity for the clubs for which it is a prediction."""
+        """Return the errors of one quantity for the clubs for which it is predicted."""
         return self.errors(model_name)[quantity][~self.is_fitted(quantity)]
 
     def mean_absolute_error(self, model_name: str) -> dict[str, float]:
-        """Return the mean of the absolute error over the clubs, by quantity; NaN where none of them is a prediction."""
+        """Return the mean absolute error over the clubs, by quantity; NaN if it is predicted for none."""
         return mean_absolute_error([self], model_name)
 
     def published_ratios(self, model_name: str) -> Floats:
-        """Return I w / (m R v_t) of the published launches along faces of the model's lofts."""
+        """Return I w / (m R v_t) of the published launches at the model's lofts."""
         balls = [each.ball for each in self.launches[model_name]]
         return self._over_launches(spin_ratio, balls, self.lofts[model_name])
 
@@ -241,7 +241,7 @@ class Tour(Described):
 
     @cached_property
     def possible_lofts(self) -> tuple[Floats, Floats]:
-        """The least and the largest dynamic loft [rad] that the published launch allows a ball, flattened or round."""
+        """Range of dynamic lofts [rad] compatible with the published launch, for a round to a flattened ball."""
         balls = [each.ball for each in self.launches[self.models[0]]]
         low, high = (self._over_launches(loft_of_ratio, balls, limit) for limit in (RIGID, FLATTENED))
         return low, high
@@ -268,18 +268,18 @@ def tour(
     ball: str | os.PathLike[str] | Ball | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Tour:
-    """Deliver every club of the published averages and compute its launch and flight by every model.
+    """Compute launch and flight of every club in the published averages by every model.
 
     Parameters
     ----------
     model_names
-        Which models; all of the registry unless given.
+        Names of models; default all in the registry.
     table
         A table of ``TABLES``.
     ball
         As for :func:`clubface.impact`.
     progress
-        Called with the number of clubs done and of all, over all models.
+        Called with the number of clubs done and the total, over all models.
     """
     names = [model(name).name for name in (models() if model_names is None else model_names)]
     if not names:
@@ -310,12 +310,12 @@ def tour(
         lofts=lofts,
         solved_lofts=solved,
         launches=launches,
-        values={name: _compared(hits) for name, hits in launches.items()},
-        carry_of_published=_flown(rows),
+        values={name: _launch_values(hits) for name, hits in launches.items()},
+        carry_of_published=_published_carry(rows),
     )
 
 
-def _compared(launches: list[Launch]) -> dict[str, Floats]:
+def _launch_values(launches: list[Launch]) -> dict[str, Floats]:
     return {
         "ball_speed": np.array([each.ball_speed for each in launches]),
         "launch": np.array([each.launch for each in launches]),
@@ -324,18 +324,18 @@ def _compared(launches: list[Launch]) -> dict[str, Floats]:
     }
 
 
-def _flown(rows: Iterable[Average]) -> Floats:
-    """Return the carry from each published launch, taken as straight and with pure backspin."""
+def _published_carry(rows: Iterable[Average]) -> Floats:
+    """Return the carry of each published launch, assumed straight with pure backspin."""
     launches = ({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin} for each in rows)
     return np.array([fly({**each, "sidespin": 0.0}).carry for each in launches])
 
 
 FLIGHT_ONLY = "flight only"
-"""The carry from the published launch: the share of the flight model in the errors of carry."""
+"""Label of the carry from the published launch, which shows the flight model's part of the carry error."""
 
 
 def tour_result(tours: Sequence[Tour]) -> Result:
-    """Return one or several tables of averages and models as a result."""
+    """Return the comparison with one or several tables of averages as a result."""
     first = first_model(tours[0])
     titles = " and ".join(each.table.title for each in tours)
     return Result(
@@ -359,17 +359,17 @@ def tour_result(tours: Sequence[Tour]) -> Result:
 
 
 def first_model(tour: Tour) -> str:
-    """Return the model whose launches are shown club by club: the default one, where it is among them."""
+    """Return the model shown club by club: the default model, if it is among them."""
     return DEFAULT_MODEL if DEFAULT_MODEL in tour.models else tour.models[0]
 
 
 def compared(tours: Sequence[Tour]) -> list[str]:
-    """Return the quantities of which at least one club is a prediction."""
+    """Return the quantities predicted for at least one club."""
     return [name for name in tours[0].published if not all(each.is_fitted(name).all() for each in tours)]
 
 
 def _names(tours: Sequence[Tour]) -> tuple[Column, Column]:
-    """Return the columns of averages and clubs, a row a club."""
+    """Return the columns with table and club, one row per club."""
     return (
         text("averages", [each.table.name for each in tours for _ in each.clubs], printed=len(tours) > 1),
         text("club", [club for each in tours for club in each.clubs]),
@@ -412,7 +412,7 @@ def _model_table(
     name: str, title: str, tours: Sequence[Tour], get: Callable[[Tour, str], Floats], like: str, *more: Column,
     **options: Any,
 ) -> Table:  # fmt: skip
-    """Return a table of one column a model and one row a club, with ``more`` columns before the models."""
+    """Return a table with one column per model and one row per club; ``more`` columns come before the models."""
     columns = (
         column(model, np.concatenate([get(each, model) for each in tours]), like, label=model, **options)
         for model in tours[0].models
@@ -421,7 +421,7 @@ def _model_table(
 
 
 def _loft_table(tours: Sequence[Tour]) -> Table:
-    """Return the dynamic lofts: published, possible, and with which each model launches as published."""
+    """Return the table of dynamic lofts: published, possible, and solved with each model."""
     published = [np.where(each.loft_is_published, each.lofts[each.models[0]], np.nan) for each in tours]
     least, most = (np.concatenate([each.possible_lofts[end] for each in tours]) for end in (0, 1))
     return _model_table(
@@ -433,7 +433,7 @@ def _loft_table(tours: Sequence[Tour]) -> Table:
 
 
 def _error_table(tours: Sequence[Tour], name: str) -> Table:
-    """Return what is published of a quantity, and the errors of the models; those of solved lofts are left out."""
+    """Return the table of a quantity's published values and the models' errors, without fitted values."""
     published = column("published", np.concatenate([each.published[name] for each in tours]), name, label="published")
     flight = np.concatenate([each.carry_of_published - each.published["carry"] for each in tours])
     more = [column("flight_only", flight, "carry", difference=True, label=FLIGHT_ONLY)] if name == "carry" else []
@@ -445,7 +445,7 @@ def _error_table(tours: Sequence[Tour], name: str) -> Table:
 
 
 def mean_table(tours: Sequence[Tour]) -> Table:
-    """Return the mean absolute errors of each model by table of averages, then over all their rows."""
+    """Return the table of mean absolute errors of each model, by table of averages and over all of them."""
     groups = {each.table.name: [each] for each in tours} | ({"all": list(tours)} if len(tours) > 1 else {})
     rows: list[tuple[str, str, dict[str, float]]] = []
     for name, group in groups.items():
@@ -489,9 +489,9 @@ def _notes(tour: Tour) -> Iterator[Note]:
 
 
 def launch_picture(tour: Tour) -> Picture:
-    """Return ball speed, spin and carry of every club, published and by each model, and the lofts of the deliveries.
+    """Return the picture of ball speed, spin and carry by club, published and by each model, and of dynamic lofts.
 
-    Lofts are shown from the launch angle up, since what spin tells of them is some degrees at most.
+    Lofts are shown relative to the launch angle, as differences are a few degrees at most.
     """
     places, clubs = np.arange(len(tour.clubs)), _club_axis(tour)
     panels = []
@@ -511,7 +511,7 @@ def launch_picture(tour: Tour) -> Picture:
 
 
 def _loft_marks(tour: Tour) -> list[Mark]:
-    """Return dynamic loft less launch angle: possible, with which each model launches as published, and published."""
+    """Return the marks of dynamic loft minus launch angle: possible, solved with each model, and published."""
     places, launch = np.arange(len(tour.clubs)), tour.published["launch"]
     low, high = (each - launch for each in tour.possible_lofts)
     marks = [
@@ -525,9 +525,9 @@ def _loft_marks(tour: Tour) -> list[Mark]:
 
 
 def error_picture(tour: Tour) -> Picture:
-    """Return the signed error of every model and club, and each model's mean absolute error.
+    """Return the picture of the errors of every model and club, and each model's mean absolute error.
 
-    A launch angle from which the loft was solved is hollow and has no part in the mean; where all are, there is no row.
+    Fitted launch angles are hollow and not part of the mean; if all are fitted, the row is left out.
     """
     places, rows = np.arange(len(tour.clubs)), []
     names = compared([tour])
@@ -560,7 +560,7 @@ def _mean_bars(tour: Tour, name: str) -> list[Mark]:
 
 
 def _points(tour: Tour, values: dict[str, Floats], chosen: Any = slice(None), hollow: bool = False) -> list[Mark]:
-    """Return the points of each model, shifted sideways so that those of one club do not cover each other."""
+    """Return the points of each model, shifted sideways so that they do not overlap."""
     places, count = np.arange(len(tour.clubs)), len(tour.models)
     return [
         Mark("points", (places + (0.7 * (index / (count - 1) - 0.5) if count > 1 else 0.0))[chosen],
