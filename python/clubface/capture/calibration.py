@@ -350,7 +350,7 @@ def _mean_markers(seen: Array, names: tuple[str, ...], recording: Recording, fir
 
 
 DRAWS = 800
-"""Number of random draws of the unknowns; several hundred agree with a usual impact, which gives the spread to 7%."""
+"""Number of random draws of the unknowns; about a hundred agree with a usual impact, which gives spreads to 7%."""
 FEWEST_AGREEING = 30
 """Minimum number of draws that agree with a usual impact."""
 USUAL_LOFT = {"wood": units.to_si(3.0, "deg"), "hybrid": 0.0, "iron": units.to_si(-7.0, "deg")}

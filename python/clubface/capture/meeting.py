@@ -25,8 +25,8 @@ FLOOR = 1e-6
 CG_DEVIATION = 3e-3
 """Standard deviation of the CG given in a club's file [m]."""
 SURE = 5e-3
-"""Standard deviation of a given ball position up to which it is used for the instant of impact [m]; like the loss of
-speed, this is 0.1 ms of a drive."""
+"""Standard deviation up to which a given ball position determines the instant of impact [m]; it is then as accurate as
+the loss of speed, 0.1 ms in a drive."""
 ANYWHERE = 1.0
 """Standard deviation of an unknown ball position [m]."""
 SURPRISING = 2.5
