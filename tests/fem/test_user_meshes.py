@@ -38,7 +38,7 @@ def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, write, name):
 WEIGHT = '[[masses]]\nname = "weight"\nx = 0.0\ny = 0.0\nz = 0.0\nmass = "1 g"\n'
 
 MISTAKES = [
-    ('unit = "mm"', 'unit = "m"', "size of the head"),
+    ('unit = "mm"', 'unit = "m"', "the head measures"),
     ('unit = "mm"', 'unit = "kg"', "unit"),
     ('file = "head.msh"', 'file = "none.msh"', "there is no such file"),
     ('file = "head.msh"', 'file = "own.toml"', "this mesh cannot be read"),
