@@ -26,6 +26,7 @@ from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 from scipy.stats import qmc
 
+from clubface import _core as core
 from clubface.equipment.balls import ball as rigid_ball
 from clubface.equipment.clubs import Club, club
 from clubface.equipment.face import face_point, nearest, turn_to_sole
@@ -39,7 +40,6 @@ from clubface.jobs import Job
 from clubface.jobs.engine import Place, Row, run_table
 from clubface.jobs.store import fingerprint
 from clubface.present.style import legend_above, save
-from clubface.simulation import core
 from clubface.simulation.results import inputs, outputs
 from clubface.support.checks import without_warnings
 from clubface.support.files import write_text
