@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 from clubface.errors import FileError, InputError
 from clubface.studies import designs
 from clubface.studies.axes import SweepAxis, Swept, axis
-from clubface.studies.designs import DesignRows, Grid, Remembered, Samples, design, table_columns
+from clubface.studies.designs import CachedDesign, DesignRows, Grid, Samples, design, table_columns
 from clubface.units import to_si
 
 SPEED = Swept("m/s")
@@ -161,7 +161,7 @@ def test_samples_do_not_depend_on_which_were_asked_for_before(method):
     whole = made.values(range(64))
     assert np.array_equal(late["x"], whole["x"][40:50])
     assert np.array_equal(early["x"], whole["x"][10:20])
-    remembered = Remembered(made)
+    remembered = CachedDesign(made)
     for first in (3, 3, 9, 3):
         assert np.array_equal(remembered.values(range(first, 20))["x"], whole["x"][first:20])
     assert not np.array_equal(Samples(BETWEEN, 64, method, 4).values(range(64))["x"], whole["x"])

@@ -1,9 +1,8 @@
-"""Columns whose sign disagrees with the others, such as attack angles that count as positive downwards.
+"""Finding columns whose sign disagrees with the others, such as attack angles counted positive downwards.
 
-From shot to shot a launch follows the delivery in directions that no model disputes: more loft launches higher, a face
-to the right sends the ball to the right, a path to the right makes it curve to the left. A column that runs the other
-way, clearly and in disagreement with the other columns, most likely has its sign turned. A note says so; the values
-stay as they are.
+From shot to shot, launch depends on delivery in ways no model disputes: more loft launches the ball higher, a face to
+the right starts it to the right, a path to the right makes it curve to the left. A column with a clearly opposite
+trend, in contradiction to the other columns, most likely has the wrong sign. A note says so; values are not changed.
 """
 
 from __future__ import annotations
@@ -21,21 +20,21 @@ from clubface.shots.recorded import RecordedShots
 from clubface.units import to_si
 
 CLEARLY = 4.0
-"""Standard errors by which a slope must have the wrong sign: chance does so for one column in 30,000."""
+"""Number of standard errors by which a slope must have the wrong sign; by chance one column in 30,000 does."""
 FEWEST = 8
-"""Fewest shots beyond the number of slopes; with fewer, standard errors are guesses."""
+"""Minimum number of shots beyond the number of slopes, for reliable standard errors."""
 UPWARDS = to_si(2.5, "deg")
-"""Median attack angle above which no iron is hit: tours hit theirs down, by 2 to 5 deg on the average."""
+"""Upper limit of a plausible median attack angle with irons; tour players hit down by 2 to 5 deg on average."""
 FEWEST_IRONS = 5
 _ACROSS = ("azimuth", "sidespin", "spin_axis", "face", "path")
-"""What changes sign with the hand, so that left-handers count as their mirror images."""
+"""Quantities mirrored for left-handers."""
 
 
 class SignRule(NamedTuple):
-    """How a quantity of the launch follows those of the delivery.
+    """How a launch quantity depends on delivery quantities.
 
-    ``signs`` are those of its slopes over each quantity of the delivery that may have been measured, 0 where that
-    differs from club to club and is only accounted for; those ``needed`` must have been.
+    ``signs`` holds the sign of its slope over each delivery quantity, or 0 if the sign differs from club to club and
+    the quantity is only accounted for; the ``needed`` ones must have been measured.
     """
 
     launch: str
@@ -49,8 +48,8 @@ RULES = (
     SignRule("azimuth", {"face": 1, "path": 1, "toe": 0}, ("face",)),
     SignRule("spin_axis", {"face": 1, "path": -1, "toe": -1}, ("face", "path")),
 )
-"""The launch angle lies between attack angle and loft, and the azimuth between path and face. Spin comes from the angle
-between club path and face, and a hit towards the toe makes the ball curve towards the heel's side (gear effect)."""
+"""Launch angle lies between attack angle and loft, azimuth between path and face. Spin comes from the angle between
+path and face, and an impact towards the toe makes the ball curve towards the heel side (gear effect)."""
 
 
 def suspected_signs(shots: RecordedShots) -> tuple[Note, ...]:
@@ -70,7 +69,7 @@ def suspected_signs(shots: RecordedShots) -> tuple[Note, ...]:
 
 
 def _disagreeing(shots: RecordedShots, clubs: NDArray[np.str_] | None, rule: SignRule) -> dict[str, list[str]]:
-    """Return the columns that contradict a rule, each with the columns that show it."""
+    """Return the columns that contradict a rule, each with the columns that reveal it."""
     values = {
         name: each
         for name in (rule.launch, *rule.signs)

@@ -1,4 +1,4 @@
-"""Studies at any scale: inputs swept over a computation, in chunks that any number of processes and machines share."""
+"""Studies at any scale: sweeps of inputs over a computation, in chunks shared by processes and machines."""
 
 from clubface.jobs.workers import shard_of
 from clubface.studies.joining import Joined, histories, join

@@ -1,4 +1,4 @@
-"""One input that a study sweeps: a list of values, evenly spaced values, or an interval to draw from."""
+"""One swept input of a study: a list of values, evenly spaced values, or an interval to sample."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ if TYPE_CHECKING:
 
 
 MOST = 10**12
-"""Tasks of a study; what is more, no cluster computes."""
+"""Maximum number of tasks in a study, more than any cluster computes."""
 EXACT = 2**53
-"""Whole numbers up to which a float holds each."""
+"""Largest integer up to which floats are exact."""
 FORMS = '["90 mph", "100 mph"], {from = "90 mph", to = "120 mph", count = 31}, or step = "1 mph" in place of the count'
 FORM = ("from", "to", "count", "step")
-"""The keys of such a table."""
+"""Keys of an axis table."""
 INTERVAL = 'an interval such as {from = "90 mph", to = "120 mph"}, or a list'
 
 
 class Swept(NamedTuple):
-    """What an input is that may be swept.
+    """Description of an input that may be swept.
 
     Attributes
     ----------
     unit
-        Its SI unit, or None for one that holds names, such as that of a club.
+        SI unit, or None for an input with names, such as a club.
     choices
-        The names there are; empty where any text is one, or where it holds numbers.
+        Allowed names; empty for any text, or for numbers.
     group
-        What a column of a table may name before it, as in ``air_temperature``.
+        Prefix allowed in column names of a table, as in ``air_temperature``.
     limits
-        The least and the greatest of what counts something; None for what may be any number.
+        Smallest and largest value of a count; None for any number.
     """
 
     unit: str | None
@@ -59,7 +59,7 @@ class SweepAxis:
     name
         The input.
     unit
-        Its SI unit; None where it holds names, whose places in ``choices`` are then its values.
+        SI unit; None for names, whose indices in ``choices`` are then the values.
     choices
         The names.
     values
@@ -67,11 +67,11 @@ class SweepAxis:
     ends
         First and last value [SI] of evenly spaced values or of an interval.
     count
-        How many values there are; None for an interval.
+        Number of values; None for an interval.
     spacing
-        First value, step and their common denominator in a unit, of evenly spaced values whose digits integers hold.
+        For evenly spaced values that integers can represent: first value and step over a common denominator, and unit.
     whole
-        Whether an interval is one of whole numbers.
+        Whether an interval contains only whole numbers.
     """
 
     name: str
@@ -84,7 +84,7 @@ class SweepAxis:
     whole: bool = False
 
     def at(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Return the values at places from 0 on; evenly spaced ones are those that a list would hold."""
+        """Return the values at indices from 0; evenly spaced values equal those written out as a list."""
         if self.choices:
             return places
         if self.values:
@@ -98,7 +98,7 @@ class SweepAxis:
         return np.where(places == self.count - 1, last if self.count > 1 else first, first + (last - first) * shares)
 
     def drawn(self, shares: NDArray[Any]) -> NDArray[Any]:
-        """Return the values for shares of 1 in [0, 1): along an interval, or in equal parts for each of a list."""
+        """Return the values for shares in [0, 1): along an interval, or with equal parts for each value of a list."""
         if self.count is None:
             first, last = self.ends
             return np.floor(first + (last - first + 1.0) * shares) if self.whole else first + (last - first) * shares
@@ -106,12 +106,12 @@ class SweepAxis:
 
 
 def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
-    """Return the axis that a value of the table [sweep] means.
+    """Return the axis for a value in the table [sweep].
 
     Raises
     ------
     InputError
-        It is no list and no table of ``from``, ``to`` and ``count`` or ``step``, or a value in it cannot be used.
+        It is neither a list nor a table of ``from``, ``to`` and ``count`` or ``step``, or a value is invalid.
     """
     if isinstance(given, list):
         return _list(name, given, swept)
@@ -142,14 +142,14 @@ def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
 
 
 def _written(name: str, given: Mapping[str, Any], unit: str, *keys: str) -> tuple[list[Fraction], units.Unit] | None:
-    """Return numbers as they are written, and their unit; None where they have different ones."""
+    """Return numbers exactly as written, and their unit; None if units differ."""
     dimension = units.unit(unit).dimension
     pairs = [units.parse_exactly(given[key], dimension, name=name) for key in keys]
     return ([number for number, _ in pairs], pairs[0][1]) if len({each for _, each in pairs}) == 1 else None
 
 
 def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
-    """Return how many steps lead from the first value to the last; a step is a difference, also of degrees Celsius."""
+    """Return the number of steps from the first value to the last; a step is a difference, even in degrees Celsius."""
     dimension = units.unit(unit).dimension
     step, step_unit = units.parse_exactly(given["step"], dimension, name=f"step of {name}")
     first, last = (units.parse(given[key], dimension, name=name) for key in ("from", "to"))
@@ -158,7 +158,7 @@ def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
         exact = (alike[0][1] - alike[0][0]) / step if step else None
     else:
         size = float(step) * units.size(step_unit.symbol)
-        # What a unit's conversion rounds off is no part of a step.
+        # Tolerate rounding of the unit conversion.
         exact = (last - first) / size if size else None
         if exact is not None and math.isfinite(exact) and abs(exact - round(exact)) <= 1e-9 * max(abs(exact), 1.0):
             exact = round(exact)
@@ -174,7 +174,7 @@ def _steps(name: str, given: Mapping[str, Any], unit: str) -> int:
 
 
 def _spaced(made: SweepAxis, given: Mapping[str, Any], count: int, swept: Swept) -> SweepAxis:
-    """Return so many evenly spaced values from end to end, in the digits in which they are written where possible."""
+    """Return ``count`` evenly spaced values, computed from the digits as written if possible."""
     made = replace(made, count=count)
     alike = _written(made.name, given, swept.unit or "1", "from", "to")
     if alike is None:
@@ -209,14 +209,14 @@ def _list(name: str, given: Sequence[Any], swept: Swept) -> SweepAxis:
 
 
 def number(name: str, value: Any, unit: str) -> float:
-    """Return a value of an input in SI; the bulge and the roll of a face may be "flat"."""
+    """Return an input's value in SI; bulge and roll may be "flat"."""
     if value == FLAT and name in ("bulge", "roll"):
         return float("inf")
     return units.parse(value, units.unit(unit).dimension, name=name)
 
 
 def held_number(name: str, value: Any, swept: Swept) -> float:
-    """Return the value that a table holds of an input that could be swept; what counts something is an int."""
+    """Return the fixed value of a sweepable input; counts are ints."""
     if swept.limits is not None:
         return check_count(name, value, *swept.limits)
     return number(name, value, swept.unit or "1")
@@ -229,7 +229,7 @@ def _check_whole(name: str, value: float, swept: Swept) -> float:
 
 
 def whole_flaw(value: float, swept: Swept) -> str:
-    """Say what a swept value must be that counts something, where it is not; else return nothing."""
+    """Return what a swept count must be if ``value`` is invalid, else ""."""
     if swept.limits is None:
         return ""
     least, most = swept.limits[0], min(swept.limits[1], EXACT)
@@ -237,9 +237,9 @@ def whole_flaw(value: float, swept: Swept) -> str:
 
 
 def inputs_named(table: Mapping[str, Any], known: Container[str]) -> Iterator[tuple[str, str, Any]]:
-    """Yield name, place and value of each line of a table and of the tables in it.
+    """Yield name, path and value of each entry of a table and its subtables.
 
-    An input has one name, whatever group it stands in: ``air.temperature`` is the known ``temperature``.
+    An input has one name whatever its group: ``air.temperature`` is the known ``temperature``.
     """
 
     def walk(parts: tuple[str, ...], given: Any) -> Iterator[tuple[str, str, Any]]:

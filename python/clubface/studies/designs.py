@@ -1,4 +1,4 @@
-"""The inputs of each task of a study: a pure function of its number, so that any worker can compute any task."""
+"""The inputs of each task of a study, a pure function of its number, so that any worker can compute any task."""
 
 from __future__ import annotations
 
@@ -21,38 +21,38 @@ from clubface.studies.axes import FORMS, INTERVAL, MOST, SweepAxis, Swept, whole
 from clubface.support.checks import is_count, without_foreign_warnings
 
 GRID, HYPERCUBE, SOBOL, TABLE = DESIGNS = ("grid", "latin-hypercube", "sobol", "table")
-"""Every combination of values, two ways to fill the space between ends, and the rows of a file."""
+"""All combinations of values, two space-filling samples, and the rows of a file."""
 MOST_HYPERCUBE = 1_000_000
-"""Samples of a Latin hypercube, which is drawn as a whole by every worker."""
+"""Maximum number of Latin hypercube samples, which every worker draws as a whole."""
 BITS = 32
-"""Bits of a coordinate of a Sobol point: the sequence has 2**32 points. SciPy fast-forwards no more."""
+"""Bits of a Sobol coordinate: the sequence has 2**32 points, the most that SciPy can fast-forward."""
 
 
 class Design(Protocol):
-    """What is computed.
+    """The tasks of a study.
 
     Attributes
     ----------
     axes
         The swept inputs.
     count
-        The number of tasks.
+        Number of tasks.
     """
 
     axes: tuple[SweepAxis, ...]
     count: int
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
-        """Return the inputs of consecutive tasks by name: SI, or the places of names among an axis's choices."""
+        """Return the inputs of consecutive tasks by name: SI values, or indices into an axis's choices."""
         ...
 
 
 STRIDE = 2**22
-"""Points of a Sobol sequence after which its state is kept; it takes 10 ms to pass over them."""
+"""Interval, in points, at which the state of a Sobol sequence is kept; skipping it takes 10 ms."""
 
 
 class Grid:
-    """Every combination of the values of some axes, the last of which changes first. See :class:`Design`."""
+    """All combinations of the values of some axes; the last axis varies fastest. See :class:`Design`."""
 
     def __init__(self, axes: Sequence[SweepAxis]) -> None:
         self.axes = tuple(axes)
@@ -76,7 +76,7 @@ class Grid:
 
 
 class Samples:
-    """Points that fill the space between the ends of some axes evenly, of SciPy's generators. See :class:`Design`."""
+    """Space-filling samples between the ends of some axes, from SciPy's generators. See :class:`Design`."""
 
     def __init__(self, axes: Sequence[SweepAxis], samples: Any, method: str, seed: int) -> None:
         self.axes = tuple(axes)
@@ -98,11 +98,11 @@ class Samples:
 
     def _sobol(self, tasks: range) -> NDArray[Any]:
         made = self._sequence(tasks.start)
-        with without_foreign_warnings(UserWarning):  # that a chunk is not balanced: the whole is what counts
+        with without_foreign_warnings(UserWarning):  # ignore that a single chunk is not balanced: the whole sequence is
             return made.random(len(tasks))
 
     def _sequence(self, start: int) -> Any:
-        """Return the sequence at a point. It is only passed over forwards, so that states on the way are kept."""
+        """Return the sequence advanced to a point; as it only moves forwards, intermediate states are kept."""
         from scipy.stats import qmc
 
         if not self._passed:
@@ -121,7 +121,7 @@ class Samples:
 
 
 class DesignRows:
-    """The rows of a table, for each combination of the values of other axes. See :class:`Design`."""
+    """The rows of a table, repeated for each combination of other axes. See :class:`Design`."""
 
     def __init__(self, columns: Mapping[str, tuple[str, NDArray[Any]]], others: Sequence[SweepAxis]) -> None:
         self._columns = {name: values for name, (_, values) in columns.items()}
@@ -137,8 +137,8 @@ class DesignRows:
         return self._others.at(blocks) | {name: values[rows] for name, values in self._columns.items()}
 
 
-class Remembered:
-    """A design that keeps what it last returned to each thread: the task and the part of a chunk both ask for it."""
+class CachedDesign:
+    """A design that caches the last result per thread, since a chunk's task and its part both need it."""
 
     def __init__(self, design: Design) -> None:
         self.axes, self.count = design.axes, design.count
@@ -153,7 +153,7 @@ class Remembered:
 
 
 def design(method: str, axes: Sequence[SweepAxis], samples: Any, seed: int) -> Design:
-    """Return a design of axes alone: a grid, or ``samples`` of a generator."""
+    """Return a design without a table: a grid, or ``samples`` of a generator."""
     if not axes:
         raise InputError("sweep", Wording("empty"), "a table with at least one input, as in speed = " + FORMS)
     if method == GRID:
@@ -171,7 +171,7 @@ def _checked(count: int) -> int:
 
 
 AT_A_TIME = 100_000
-"""Rows of a table read at a time."""
+"""Number of table rows read at a time."""
 
 
 def table_columns(
@@ -179,13 +179,13 @@ def table_columns(
 ) -> dict[str, tuple[str, NDArray[Any]]]:
     """Return the columns of a CSV or Parquet file that give inputs: SI unit and values [SI] by name.
 
-    ``given_units`` are the units of columns that name none, by input or dimension.
+    ``given_units`` gives units of columns without one, by input or dimension.
 
     Raises
     ------
     FileError
-        No column gives an input that is ``known``, one is named like an input that holds names, there is no row, or a
-        cell that is used holds no number.
+        No column gives a ``known`` input, a column is named after an input with names, there are no rows, or a used
+        cell is not a number.
     """
     reader = open_table(path)
     try:
@@ -194,7 +194,7 @@ def table_columns(
         columns = layout(reader.headings, reader.path, reader.header_line, words, units_of, _as_key)
         used = columns.used
         for heading in columns.passed:
-            if plain_name(heading) in known:  # of names, which rows of numbers do not hold
+            if plain_name(heading) in known:  # inputs with names cannot be read from a table
                 name = plain_name(heading)
                 message = f'this column is not read; sweep it next to the table, as in {name} = ["..."], or rename it'
                 raise FileError(str(path), reader.header_line, message, heading)
@@ -228,13 +228,13 @@ def table_columns(
 
 
 def _as_key(given: Mapping[str, str]) -> str:
-    """Say how a study gives units."""
+    """Return how to give these units in a study file."""
     pairs = ", ".join(f'{name} = "{symbol}"' for name, symbol in given.items())
     return f"units = {{ {pairs} }} under [study]"
 
 
 def _words(known: Mapping[str, Swept]) -> Vocabulary:
-    """Return the words for the inputs that hold numbers: their names, and those that launch monitors have for them."""
+    """Return the words for numeric inputs: their names, and those used by launch monitors."""
     numbers = {name: units.unit(each.unit).dimension for name, each in known.items() if each.unit is not None}
     others = {word: name for word, name in delivery_words().names.items() if name in numbers}
     grouped = {plain(f"{known[name].group}_{name}"): name for name in numbers}

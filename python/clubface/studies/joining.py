@@ -1,4 +1,4 @@
-"""All parts of a study in the order of the tasks: one table, with checksums to compare two runs, and the histories."""
+"""Joining all parts of a study in the order of tasks: one table, checksums for comparing runs, and histories."""
 
 from __future__ import annotations
 
@@ -38,18 +38,18 @@ class Joined(Described):
     Attributes
     ----------
     output
-        The file, or None where only the sums were asked for.
+        The file, or None if only the sums were computed.
     tasks
-        Rows.
+        Number of rows.
     sums
-        SHA-256 of the values of every column, in the order of the tasks: 8 bytes a number [SI], least significant
-        first, or a line a name. Runs of the same study have the same sums, in whatever chunks and wherever they ran.
+        SHA-256 of the values of every column, in the order of tasks: 8 little-endian bytes per number [SI], or one line
+        per name. Runs of the same study have the same sums whatever the chunks and machines.
     failed
-        Tasks without a result, and the first reason.
+        Number of tasks without a result, and the first reason.
     remark
-        The note on shots outside the range of their model, or "".
+        The note on shots outside the model's range, or "".
     processors
-        The kinds of processors, where results depend on them in their last digits.
+        Kinds of processors, if the last digits of the results depend on them.
     """
 
     output: str | None
@@ -73,19 +73,19 @@ def join(
     store: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Joined:
-    """Write all parts of a study to one file, in the order of the tasks; all parts must be there.
+    """Write all parts of a study to one file, in the order of tasks; all parts must be finished.
 
     Parameters
     ----------
     study
-        The file of the study, or the folder of its store.
+        The study file, or the folder of its store.
     output
-        A Parquet file, whose columns are SI and carry their units; or a CSV file, whose headings name practical units.
-        Without one, only the sums of the columns are computed.
+        A Parquet file, with SI columns that carry their units, or a CSV file, with practical units in the headings. By
+        default only the sums of the columns are computed.
     store
-        The folder of the store of a file, unless it is the usual one.
+        The folder of the study's store; default next to the file.
     progress
-        Called with the parts joined and the parts in all.
+        Called with the number of parts joined and the total.
     """
     opened = open_store(study, store)
     target = None if output is None else Path(output)
@@ -115,15 +115,15 @@ def _summed_bytes(values: NDArray[Any] | Names) -> bytes:
 
 
 def _writer(path: Path | None, store: StudyStore) -> AbstractContextManager[Write]:
-    """Return what takes the columns of each part: a file, or nothing where there is none."""
+    """Return a writer of the columns of each part to a file, or one that does nothing without a file."""
     if path is None:
         return nullcontext(lambda columns: None)
-    return _parquet(path, store) if is_parquet(path) else _csv(path, store)
+    return _parquet_writer(path, store) if is_parquet(path) else _csv_writer(path, store)
 
 
 @contextmanager
-def _parquet(path: Path, store: StudyStore) -> Iterator[Write]:
-    """Write Parquet, a row group a part."""
+def _parquet_writer(path: Path, store: StudyStore) -> Iterator[Write]:
+    """Write Parquet, with one row group per part."""
     arrow = pyarrow_for(path)
     form = ParquetFormat(store.columns, {METADATA: json.dumps(store.record["provenance"]).encode()})
     with whole_file(path) as file, arrow.parquet.ParquetWriter(file, form.schema, **form.options) as writer:
@@ -131,7 +131,7 @@ def _parquet(path: Path, store: StudyStore) -> Iterator[Write]:
 
 
 @contextmanager
-def _csv(path: Path, store: StudyStore) -> Iterator[Write]:
+def _csv_writer(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write CSV in practical units."""
     headings = {name: heading_of(name, unit) if unit else (name, "1") for name, unit in store.columns.items()}
     delimiter = delimiter_of(path)
@@ -155,23 +155,23 @@ def histories(
     tasks: Iterable[int] | None = None,
     store: str | os.PathLike[str] | None = None,
 ) -> dict[str, NDArray[np.float64]]:
-    """Return a history that a study has kept, one task after the other.
+    """Return a history kept by a study, task by task.
 
     Parameters
     ----------
     study
-        The file of the study, or the folder of its store.
+        The study file, or the folder of its store.
     name
-        The history, such as "contact" of a study of finite elements.
+        The history, such as "contact" in a finite element study.
     tasks
-        Numbers of tasks, from 0 on in the order of the study; all unless given.
+        Task numbers, from 0 in the order of the study; default all.
     store
-        The folder of the store of a file, unless it is the usual one.
+        The folder of the study's store; default next to the file.
 
     Returns
     -------
     dict
-        Columns by name [SI], float64, of equal length: the number of the ``task`` and those of the history. Tasks
+        Columns by name [SI], float64, of equal length: the ``task`` number and the columns of the history. Tasks
         without a result have no rows.
 
     Raises
@@ -179,7 +179,7 @@ def histories(
     InputError
         The study keeps no such history, or has no such task.
     FileError
-        The study, or what is asked for of it, is not computed yet.
+        The study, or the requested part of it, has not been computed yet.
     """
     opened = open_store(study, store)
     if not opened.histories:

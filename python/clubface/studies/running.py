@@ -1,4 +1,4 @@
-"""Running a study, chunk by chunk, on processes of this machine, in shares, or on a cluster; and how far it is."""
+"""Running a study chunk by chunk, in processes, in shards or on a cluster; and its status."""
 
 from __future__ import annotations
 
@@ -33,15 +33,15 @@ __all__ = [
 ]  # fmt: skip
 
 COMPUTED, KEPT, REPAIRED = "computed", "kept", "repaired"
-"""What was done for a chunk: computed, found in the store, or computed in place of a damaged part."""
+"""How a chunk was obtained: computed, found in the store, or recomputed to replace a damaged part."""
 NOTES = ("failed", "outside")
-"""What a part says of its tasks: how many have no result, with the first of them, and shots outside of a range."""
+"""Notes in a part: number of tasks without a result, with the first of them, and shots out of range."""
 
 
 LONGEST = 10_000
-"""Characters of a table that every part repeats."""
+"""Maximum length [characters] of a table repeated in every part."""
 SHOWN_REPAIRED, SHOWN_MISSING = 5, 20
-"""Chunks that are named by their number."""
+"""Maximum number of repaired and of missing chunks listed."""
 Progress = Callable[[int, int], object]
 
 
@@ -54,9 +54,9 @@ class Chunks:
         self._axes = {each.name: each for each in study.design.axes}
 
     def ensure(self, chunk: int) -> dict[str, Any]:
-        """Make sure that the part of a chunk is there and whole; return what was ``done`` for it, and ``NOTES``."""
+        """Make sure that the part of a chunk is complete; return what was ``done``, and ``NOTES``."""
         try:
-            return self._kept(chunk)
+            return self._read_kept(chunk)
         except FileNotFoundError:
             done = COMPUTED
         except FileError:
@@ -69,18 +69,18 @@ class Chunks:
         inputs = {name: self._input(name, each) for name, each in self._study.design.values(tasks).items()}
         notes = {"failed": [len(computed.failed), *computed.failed[:1]], "outside": computed.outside}
         try:
-            # First the histories: a part that is there has them.
+            # Histories first: a part that exists must have them.
             for name, columns in computed.histories.items():
                 self._store.write_history(name, chunk, columns)
             self._store.write(chunk, {**inputs, **computed.columns}, {**notes, **self._task.depends_on})
         except FileError:
-            # Another run may have finished the study meanwhile, and removed what it took for remains.
+            # Another run may have finished the study meanwhile and removed temporary files.
             with suppress(FileNotFoundError, FileError):
-                return self._kept(chunk)
+                return self._read_kept(chunk)
             raise
         return {"done": done, **notes}
 
-    def _kept(self, chunk: int) -> dict[str, Any]:
+    def _read_kept(self, chunk: int) -> dict[str, Any]:
         _, metadata = self._store.read(chunk)
         for name in self._store.histories:
             self._store.read_history(name, chunk)
@@ -92,16 +92,16 @@ class Chunks:
 
 
 class SharedStudy(NamedTuple):
-    """A study as its workers know it, on this machine or another one; it computes chunks by their number.
+    """A study in the form sent to workers on any machine; called with a chunk number, it computes the chunk.
 
     Attributes
     ----------
     path, folder
-        The file of the study and the folder of its store, as all of them see them.
+        The study file and the folder of its store, as all workers see them.
     identity
-        Of the store.
+        Identity of the store.
     files
-        Path, checksum and size of what the study has read; the store has the contents.
+        Path, checksum and size of the files read by the study; the store has their contents.
     """
 
     path: str
@@ -129,27 +129,26 @@ _opening = threading.Lock()
 
 
 def shared(store: StudyStore, study: StudyFile) -> SharedStudy:
-    """Return a study as its workers know it."""
+    """Return a study in the form sent to workers."""
     files = [(path, each.sha256, each.size) for path, each in study.inputs.by_path().items()]
     return SharedStudy(absolute(study.path), absolute(store.folder), store.identity, files)
 
 
 TIMED_SECONDS, LOADING_SECONDS = 0.1, 5.0
-"""Processor time [s] over which tasks are timed, and that loading libraries does not take."""
+"""Minimum processor time [s] for timing tasks, and upper limit of the time for loading libraries."""
 SMALL_CHUNK_SECONDS, SMALL_CHUNKS = 0.1, 32
-"""A chunk that takes longer [s] is made smaller where there would be fewer chunks than that."""
+"""Chunks longer than this time [s] are made smaller if there would be fewer than this number of chunks."""
 
 
 def chunk_size(study: StudyFile, task: Task) -> int:
-    """Return the tasks of a chunk: as the study says, or as many as take the time that a chunk should take.
+    """Return the number of tasks per chunk, as given in the study or measured to take the wanted time.
 
-    The results do not depend on it. Where it is measured, a study none of whose tasks can be computed ends before it
-    begins.
+    Results do not depend on it. If it is measured, a study without any result ends before it begins.
 
     Raises
     ------
     ClubfaceError
-        The tasks that were tried have no result; the message says why.
+        The tasks tried have no result; the message says why.
     """
     count = study.design.count
     if study.chunk is not None:
@@ -157,7 +156,7 @@ def chunk_size(study: StudyFile, task: Task) -> int:
     begun = time.process_time()
     _check_results(study, task)
     seconds, tasks = time.process_time() - begun, 1
-    # The first time includes loading libraries: it is the time of a task only where it is much longer than that.
+    # The first time includes loading libraries, so it counts only if it is much longer than that.
     if seconds < LOADING_SECONDS:
         seconds, tasks = 0.0, 0
     while seconds < TIMED_SECONDS and tasks < min(count, MOST_ROWS):
@@ -167,21 +166,21 @@ def chunk_size(study: StudyFile, task: Task) -> int:
         task.run(range(first, first + tasks))
         seconds = time.process_time() - begun
     rate = tasks / max(seconds, 1e-9)
-    # A small study is cut into smaller chunks, so that several workers have some.
+    # A small study gets smaller chunks, so that several workers have something to do.
     shared = max(_rounded_down(SMALL_CHUNK_SECONDS * rate), -(-count // SMALL_CHUNKS))
     return min(_rounded_down(study.seconds * rate), shared, count)
 
 
 def _rounded_down(size: float) -> int:
-    """Return the largest 1, 2 or 5 times a power of ten that is not above ``size``; at least 1."""
+    """Return the largest 1, 2 or 5 times a power of ten up to ``size``, and at least 1."""
     steps = (step * 10**power for power in range(6) for step in (1, 2, 5))
     return max((step for step in steps if step <= min(size, MOST_ROWS)), default=1)
 
 
 def first_tried(numbers: range) -> tuple[int, ...]:
-    """Return the first, the last and the middle one of some chunks or tasks: without any result the study ends there.
+    """Return the first, last and middle of some chunks or tasks; if none of them has a result, the study ends.
 
-    An input that is swept too far to both sides has results in the middle.
+    An input swept too far on both sides still has results in the middle.
     """
     return tuple(dict.fromkeys((*numbers[:1], *numbers[-1:], *numbers[len(numbers) // 2 :][:1])))
 
@@ -200,24 +199,24 @@ def _check_results(study: StudyFile, task: Task) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Described):
-    """What a run has done.
+    """The outcome of a run.
 
     Attributes
     ----------
     store
         The folder of the store.
     chunks, tasks
-        Of this run: all of the study, or those of a shard.
+        Numbers for this run: the whole study, or a shard.
     computed
-        The chunks that were computed now; the others were there.
+        Number of chunks computed now; the others existed.
     mended
-        How many of them replaced damaged parts, and the first of those.
+        Number of these that replaced damaged parts, and the first of them.
     failed
-        Tasks without a result, and the first reason.
+        Number of tasks without a result, and the first reason.
     remark
-        The note on shots outside the range of their model, or "".
+        The note on shots outside the model's range, or "".
     missing
-        The chunks of the whole study that no run has finished yet.
+        Number of chunks of the whole study that no run has finished.
     """
 
     store: str
@@ -230,14 +229,14 @@ class Outcome(Described):
     missing: int
 
     def to_result(self) -> Result:
-        """Return what was computed, and what is left to other runs."""
+        """Return what was computed, and what is left to other runs, as a result."""
         from clubface.studies.study_result import run_result
 
         return run_result(self)
 
 
 class ChunkTally:
-    """Counts what is noted of chunks, in a space that does not grow with their number."""
+    """Sums of the notes of chunks, in constant memory."""
 
     def __init__(self) -> None:
         self.computed = self.repaired = self._failed = 0
@@ -246,7 +245,7 @@ class ChunkTally:
         self._outside = Tally()
 
     def add(self, chunk: int, notes: Mapping[str, Any]) -> None:
-        """Count a chunk that a worker has made sure of."""
+        """Add a chunk finished by a worker."""
         self.computed += notes["done"] != KEPT
         if notes["done"] == REPAIRED:
             self.repaired += 1
@@ -255,7 +254,7 @@ class ChunkTally:
         self.add_notes(notes)
 
     def add_notes(self, notes: Mapping[str, Any]) -> None:
-        """Count the tasks of a chunk without a result, and outside of a range."""
+        """Add a chunk's tasks without a result, and shots out of range."""
         count, *first = notes["failed"]
         self._failed += count
         for index, reason in first:
@@ -265,12 +264,12 @@ class ChunkTally:
 
     @property
     def failed(self) -> tuple[int, str]:
-        """The tasks without a result, and why the first one has none."""
+        """Number of tasks without a result, and the reason for the first."""
         return self._failed, f"task {self._first[0]}: {self._first[1]}" if self._first else ""
 
     @property
     def remark(self) -> str:
-        """The note on shots outside the range of their model, or ""."""
+        """The note on shots outside the model's range, or ""."""
         return self._outside.remark()
 
 
@@ -283,33 +282,33 @@ def run(
     scheduler: str | None = None,
     progress: Progress | None = None,
 ) -> Outcome:
-    """Compute what is missing of a study; what is there is checked and stays.
+    """Compute the missing chunks of a study; existing ones are checked and kept.
 
     Parameters
     ----------
     study
-        The file of the study, or a :class:`StudyFile`.
+        The study file, or a :class:`StudyFile`.
     store
-        The folder of what is finished; next to the file, with the ending ".store", unless given. All who share a study
-        name the same folder.
+        The folder for finished chunks; default next to the file, with the ending ".store". All runs that share a study
+        must use the same folder.
     workers
-        Processes at a time on this machine; left out, one for each processor that this process may use.
+        Number of processes on this machine; default one per processor available to this process.
     shard
-        Compute one share alone, see :func:`clubface.jobs.workers.shard_of`.
+        Compute only one share, see :func:`clubface.jobs.workers.shard_of`.
     scheduler
-        Address of the scheduler of a Dask cluster, whose workers compute instead of this machine. They need this
-        version of clubface, and the store under the same name as here.
+        Address of a Dask scheduler, whose workers compute instead of this machine. They need this version of clubface,
+        and the store under the same path as here.
     progress
-        Called with the chunks done and the chunks of this run.
+        Called with the number of chunks done and the total of this run.
 
     Raises
     ------
     FileError
-        The study is mistaken, or the store belongs to another.
+        The study has an error, or the store belongs to another study.
     ClubfaceError
-        A chunk cannot be computed; what is finished is kept.
+        A chunk cannot be computed; finished chunks are kept.
     KeyboardInterrupt
-        Ctrl-C was pressed; the message says where the finished chunks are.
+        Ctrl-C was pressed; the message says where the finished chunks are kept.
     """
     if scheduler is not None and workers is not None:
         raise InputError("workers", workers, "leave it out with a scheduler, whose cluster has its own workers")
@@ -346,7 +345,7 @@ def run(
         kept = f"{finished} of {len(mine)} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
             raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
-        # Other parts are those of other runs, such as other shards, and may have results.
+        # Other parts are from other runs, such as other shards, and may have results.
         if fresh and not results and sum(present) == done:
             opened.remove()
             raise
@@ -364,9 +363,9 @@ def run(
 
 
 def order(store: StudyStore, share: Shard) -> Iterator[int]:
-    """Yield the chunks of a share: first those that are missing, then those that are there, to be checked.
+    """Yield the chunks of a share: first missing ones, then existing ones, which are checked.
 
-    Of each those by which a study is judged come first.
+    In each group, the chunks of :func:`first_tried` come first.
     """
     present, mine = store.present(), share.of_all(store.chunks)
     first = first_tried(mine)
@@ -376,7 +375,7 @@ def order(store: StudyStore, share: Shard) -> Iterator[int]:
 
 
 def _description(study: StudyFile, task: Task) -> dict[str, Any]:
-    """Return the rest of the record of a study that begins."""
+    """Return the remaining record of a new study."""
     axes = [
         {"name": each.name, "unit": each.unit, "choices": each.choices, "count": each.count}
         for each in study.design.axes
@@ -392,41 +391,41 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
             "kind": study.kind.name,
             "design": study.method,
             "seed": study.seed,
-            "inputs": _repeated(study.table),
-            "sweep": _repeated(study.sweep),
+            "inputs": _table_or_fingerprint(study.table),
+            "sweep": _table_or_fingerprint(study.sweep),
             "files": study.files(),
         },
     }
 
 
 def _histories(task: Task) -> dict[str, Any]:
-    """Return the histories that a study keeps, as its record has them."""
+    """Return the histories of a study in the form of its record."""
     return {name: {each: list(of) for each, of in columns.items()} for name, columns in task.histories.items()}
 
 
-def _repeated(table: Mapping[str, Any]) -> Any:
-    """Return a table as every part repeats it: of a very long one its fingerprint alone."""
+def _table_or_fingerprint(table: Mapping[str, Any]) -> Any:
+    """Return a table for the record of every part; a very long table is replaced by its fingerprint."""
     return table if len(repr(table)) < LONGEST else fingerprint(table)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Status(Described):
-    """How far a study is.
+    """The status of a study.
 
     Attributes
     ----------
     name
-        Of the study.
+        Name of the study.
     store
         The folder of its store.
     tasks, chunks, chunk
-        Tasks and chunks in all, and tasks of a chunk.
+        Total tasks and chunks, and tasks per chunk.
     done
-        Chunks whose part is there, and whole where that was checked.
+        Number of chunks with a part (undamaged, if checked).
     missing, damaged
         The first chunks without a part, and with a damaged one.
     size
-        Bytes of all parts.
+        Size of all parts [bytes].
     """
 
     name: str
@@ -440,7 +439,7 @@ class Status(Described):
     size: int
 
     def to_result(self) -> Result:
-        """Return how far it is, and the chunks that are missing or damaged."""
+        """Return the status, with missing and damaged chunks, as a result."""
         from clubface.studies.study_result import status_result
 
         return status_result(self)
@@ -453,18 +452,18 @@ def status(
     check: bool = False,
     progress: Progress | None = None,
 ) -> Status:
-    """Return how far a study is.
+    """Return the status of a study.
 
     Parameters
     ----------
     study
-        The file of the study, or the folder of its store.
+        The study file, or the folder of its store.
     store
-        The folder of the store of a file, unless it is the usual one.
+        The folder of the study's store; default next to the file.
     check
-        Whether to read every part, and name the damaged ones.
+        Whether to read every part and list damaged ones.
     progress
-        Called with the chunks looked at and the chunks in all.
+        Called with the number of chunks checked and the total.
     """
     opened = open_store(study, store)
     present, damaged = opened.present(), list[int]()

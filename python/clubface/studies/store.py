@@ -1,9 +1,9 @@
-"""The finished chunks of a study: a folder with one Parquet file each, which any program reads.
+"""The finished chunks of a study: a folder with one Parquet file per chunk, readable by any program.
 
-A part is written under another name and renamed once it is whole, so that a part that is there and whole is finished,
-whoever computed it. Nothing is locked: two runs that compute the same chunk write the same bytes. The metadata of a
-part's schema holds, under ``clubface``, where its numbers come from; and under ``clubface-sum`` the SHA-256 of the file
-as it is with ``HOLE`` in place of that sum.
+A part is written under another name and renamed when complete, so that any undamaged part is final, whoever computed
+it. Nothing is locked, since two runs that compute the same chunk write the same bytes. The metadata of a part's schema
+holds its provenance under ``clubface``, and under ``clubface-sum`` the SHA-256 of the file with ``HOLE`` in place of
+that sum.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ __all__ = ["Names", "ParquetFormat", "StudyStore", "Values", "begin", "open_fold
 
 RECORD, PARTS, INPUTS, HISTORIES, SUFFIX = "record.json", "parts", "inputs", "histories", ".parquet"
 PARTS_PER_FOLDER = 1000
-"""File systems slow down with very many files in a folder."""
+"""Maximum number of parts per folder, as file systems slow down with very many files."""
 METADATA, CHECKSUM = b"clubface", b"clubface-sum"
 HOLE = b"the sum of the file as it is with this text in the place of it".ljust(64, b".")
 DAMAGED_RECORD = (
@@ -56,9 +56,9 @@ class Names:
     Attributes
     ----------
     choices
-        The names there are.
+        The distinct names.
     codes
-        The place of each among them, int64.
+        Index of each entry in ``choices``, int64.
     """
 
     choices: tuple[str, ...]
@@ -81,8 +81,8 @@ class StudyStore:
     folder
         The folder.
     record
-        ``content`` (the fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in all and in a chunk),
-        ``axes``, ``columns``, ``histories`` where there are any, and ``provenance``, which every part repeats.
+        ``content`` (fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in total and per chunk),
+        ``axes``, ``columns``, ``histories`` if any, and ``provenance``, which every part repeats.
     """
 
     folder: Path
@@ -90,27 +90,27 @@ class StudyStore:
 
     @property
     def count(self) -> int:
-        """The tasks of the study."""
+        """Number of tasks in the study."""
         return self.record["count"]
 
     @property
     def chunks(self) -> int:
-        """The chunks of the study."""
+        """Number of chunks in the study."""
         return -(-self.count // self.record["chunk"])
 
     @property
     def identity(self) -> str:
-        """A text that is the same only for the same study in chunks of the same size."""
+        """Fingerprint of the study and its chunk size."""
         return fingerprint([self.record["content"], self.record["chunk"]])[:16]
 
     @property
     def inputs(self) -> Path:
-        """The folder of the files that the study reads, each under its checksum: workers read nothing else."""
+        """Folder of the study's input files, named by checksum; workers read nothing else."""
         return self.folder / INPUTS
 
     @property
     def columns(self) -> dict[str, str | None]:
-        """The SI units of the columns, of what is swept and then of what is computed; None for names."""
+        """SI units of the columns, swept inputs first; None for names."""
         swept = {each["name"]: each["unit"] for each in self.record["axes"]}
         return {**swept, **{name: unit for name, (unit, _) in self.record["columns"].items()}}
 
@@ -121,16 +121,16 @@ class StudyStore:
 
     @property
     def histories(self) -> dict[str, dict[str, str]]:
-        """The SI units of the columns of each history that is kept, the index of the task among them."""
+        """SI units of the columns of each history, including the task index."""
         kept = self.record.get("histories", {})
         return {name: {TASK: "1", **{each: of[0] for each, of in columns.items()}} for name, columns in kept.items()}
 
     def path(self, chunk: int, folder: str = PARTS) -> Path:
-        """Return the file of a chunk: its part, or what another folder has of it."""
+        """Return the file of a chunk, its part or a file in another folder."""
         return self.folder / folder / f"{chunk // PARTS_PER_FOLDER:04d}" / f"{chunk:08d}{SUFFIX}"
 
     def write(self, chunk: int, columns: Values, notes: Mapping[str, Any]) -> None:
-        """Write the part of a chunk: its columns, and notes of what JSON has."""
+        """Write the part of a chunk: its columns, and notes as JSON."""
         metadata = {**self._identity(chunk), **notes, **self.record["provenance"]}
         self._write(self.path(chunk), self.columns, columns, metadata)
 
@@ -154,9 +154,9 @@ class StudyStore:
         Raises
         ------
         FileNotFoundError
-            There is none.
+            There is no part.
         FileError
-            It is damaged, or the part of another chunk or study.
+            It is damaged, or belongs to another chunk or study.
         """
         columns, metadata = self._read(chunk, PARTS)
         if {len(each) for each in columns.values()} != {len(self.tasks(chunk))}:
@@ -164,7 +164,7 @@ class StudyStore:
         return columns, metadata
 
     def read_history(self, name: str, chunk: int) -> dict[str, NDArray[Any]]:
-        """Return the columns of a history of a chunk; errors are those of :meth:`read`."""
+        """Return the columns of a chunk's history; errors as for :meth:`read`."""
         columns, _ = self._read(chunk, f"{HISTORIES}/{name}")
         return {each: column for each, column in columns.items() if not isinstance(column, Names)}
 
@@ -176,7 +176,7 @@ class StudyStore:
         return columns, metadata
 
     def parts(self) -> Iterator[tuple[Values, dict[str, Any]]]:
-        """Yield the columns and the metadata of every part, in the order of the tasks; all parts must be there."""
+        """Yield columns and metadata of every part, in the order of tasks; all parts must exist."""
         if missing := self.present().count(0):
             message = f"{missing} of {self.chunks} chunks are not done yet; clubface study run computes them"
             raise FileError(str(self.folder), None, message)
@@ -189,7 +189,7 @@ class StudyStore:
                 raise FileError(error.path, None, f"{error.message}; clubface study run computes it again") from None
 
     def present(self) -> bytearray:
-        """Return for each chunk whether a part is there (1) or not (0); no part is read."""
+        """Return for each chunk whether its part exists (1) or not (0), without reading it."""
         present = bytearray(self.chunks)
         for each in self._files():
             stem = each.name.partition(".")[0]
@@ -198,7 +198,7 @@ class StudyStore:
         return present
 
     def size(self) -> int:
-        """Return the bytes of all parts and histories."""
+        """Return the total size of parts and histories [bytes]."""
         total = 0
         for each in self._every_file():
             with suppress(OSError):
@@ -214,34 +214,34 @@ class StudyStore:
             yield from _files_in(self.folder / HISTORIES / name)
 
     def tidy(self) -> None:
-        """Remove what killed runs have left; to be called when all parts are there."""
+        """Remove leftovers of killed runs; call this when all parts exist."""
         for each in self._every_file():
             if each.name.startswith("."):
                 with suppress(OSError):
                     os.unlink(each.path)
 
     def remove(self) -> None:
-        """Remove the store at once for every other run, which may be about to begin in the same place."""
+        """Remove the store in one step, as other runs may be about to start in the same place."""
         removed = self.folder.with_name(f".{self.folder.name}-{os.urandom(6).hex()}")
         with suppress(OSError):
             self.folder.rename(removed)
         shutil.rmtree(removed, ignore_errors=True)
 
     def keep_input(self, given: InputFile) -> None:
-        """Keep a file that the study has read; one too large to be kept is read in its own place."""
+        """Store a copy of an input file; a file too large for that is read in place."""
         path = self.inputs / given.sha256
         if given.content is not None and not path.exists():
             with whole_file(prepare_parent(path)) as file:
                 file.write(given.content)
 
     def input(self, checksum: str) -> bytes | None:
-        """Return the file that was read with a checksum, None where it is not kept."""
+        """Return the content of a stored input file by checksum, or None."""
         with suppress(OSError):
             return (self.inputs / checksum).read_bytes()
         return None
 
     def check(self, study: StudyFile) -> None:
-        """Refuse the store of another study; of a file that has changed the message says where."""
+        """Raise an error if the store belongs to another study, with the place of a change in a file."""
         before = self.record["provenance"]["files"]
         now = {f"file {name}": checksum for name, checksum in study.files().items()}
         contents = {each.sha256: each.content for each in study.inputs.files if not each.shipped}
@@ -258,7 +258,7 @@ class StudyStore:
 
 
 def _files_in(parent: Path) -> Iterator[os.DirEntry[str]]:
-    """Yield the files of the folders in a folder."""
+    """Yield the files in all subfolders of a folder."""
     with suppress(FileNotFoundError):
         for folder in sorted(os.scandir(parent), key=lambda each: each.name):
             if folder.is_dir(follow_symlinks=False):
@@ -266,17 +266,17 @@ def _files_in(parent: Path) -> Iterator[os.DirEntry[str]]:
 
 
 def store_folder(path: Path) -> Path:
-    """Return the folder of the store of a study's file, unless another is named."""
+    """Return the default folder of the store for a study file."""
     return path.with_name(f"{path.stem}.store")
 
 
 def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | None = None) -> StudyStore:
-    """Return the store of a study that is named by its file or by the folder of the store itself.
+    """Return the store of a study, given by the study file or the store's own folder.
 
     Raises
     ------
     FileError
-        There is none, or it belongs to another study.
+        There is no store, or it belongs to another study.
     """
     path = Path(study)
     if path.is_dir():
@@ -303,13 +303,13 @@ def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | No
 def open_folder(folder: Path) -> StudyStore:
     """Return the store in a folder."""
     record = read_record(folder / RECORD, DAMAGED_RECORD) if (folder / RECORD).is_file() else {}
-    if "chunk" not in record:  # nothing, or the store of another computation
+    if "chunk" not in record:  # no record, or the store of another computation
         raise FileError(str(folder), None, "this folder holds no study")
     return StudyStore(folder, record)
 
 
 def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> StudyStore:
-    """Return the store of a study in a folder, which is made unless it is there.
+    """Return the store of a study in a folder, creating it if necessary.
 
     Parameters
     ----------
@@ -318,13 +318,13 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
     study
         The study.
     describe
-        Called for the rest of the record where there is none yet. The size of a chunk is part of it: whoever comes
-        first decides it, since workers on other machines must cut the study into the same chunks.
+        Called for the rest of the record if there is none yet. The chunk size is part of it: the first run decides,
+        since workers on other machines must use the same chunks.
 
     Raises
     ------
     FileError
-        The store belongs to another study, or the folder is something else.
+        The store belongs to another study, or the folder contains something else.
     """
     if not (folder / RECORD).exists():
         seen = [each.name for each in folder.iterdir() if each.name[0] != "."] if folder.is_dir() else []
@@ -347,14 +347,14 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
 
 
 class ParquetFormat:
-    """How columns are written to Parquet: numbers as float64 with their units, names as a dictionary.
+    """Parquet format of columns: numbers as float64 with units, names as a dictionary.
 
     Attributes
     ----------
     schema
-        For a ``ParquetWriter``.
+        Schema for a ``ParquetWriter``.
     options
-        What writes it fast and small: few numbers are equal, but many share their first bytes.
+        Options for fast writing and small files: few numbers are equal, but many share their first bytes.
     """
 
     def __init__(self, units: Mapping[str, str | None], metadata: Mapping[bytes, bytes]) -> None:
@@ -384,7 +384,7 @@ class ParquetFormat:
         return self._arrow.array(column)
 
     def bytes(self, columns: Values) -> bytes:
-        """Return columns as a file whose checksum stands in the place of ``HOLE``."""
+        """Return columns as the bytes of a file, with its checksum in place of ``HOLE``."""
         stream = self._arrow.BufferOutputStream()
         self._arrow.parquet.write_table(self.table(columns), stream, **self.options)
         content = stream.getvalue().to_pybytes()
@@ -393,12 +393,12 @@ class ParquetFormat:
 
 
 def _read_parquet(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
-    """Return the columns and the metadata of a part; one that is damaged is a :class:`FileError`."""
+    """Return columns and metadata of a part; raise a :class:`FileError` if it is damaged."""
     pyarrow = pyarrow_for(path)
     if path.exists() and not path.is_file():  # such as a pipe, at which reading would wait
         raise FileError(str(path), None, "this is not a file; remove it")
     try:
-        content = path.read_bytes()  # as a whole: another process may replace the file meanwhile
+        content = path.read_bytes()  # in one go, as another process may replace the file meanwhile
         file = pyarrow.parquet.ParquetFile(pyarrow.BufferReader(content))
         metadata = file.metadata.metadata  # the Arrow schema within it has a copy with the hole
         place = content.rindex(metadata[CHECKSUM])

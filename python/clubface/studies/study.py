@@ -1,16 +1,12 @@
-"""The file of a study: what is computed, what is swept, and in which design.
+"""The study file: what is computed, which inputs are swept, and in which design.
 
 ::
 
-    [study]
-    name = "driver-loft"
-    kind = "impact"                # unless given
-    design = "grid"                # grid (unless given), latin-hypercube, sobol or table
-    samples = 4096                 # of a Latin hypercube or a Sobol sequence
-    seed = 1                       # of the same
-    chunk = 5000                   # tasks computed and kept together; or
-    seconds = 2                    # the time that a chunk should take, from which the size follows
-    units = { speed = "mph" }      # of columns of the table that name none, by input or dimension
+    [study] name = "driver-loft" kind = "impact"                # unless given design = "grid"                # grid
+    (unless given), latin-hypercube, sobol or table samples = 4096                 # of a Latin hypercube or a Sobol
+    sequence seed = 1                       # of the same chunk = 5000                   # tasks computed and stored
+    together; or seconds = 2                    # time per chunk, from which its size follows units = { speed = "mph" }
+    # of table columns without a unit, by input or dimension
 
     [impact]                       # the table of the kind
     club = "driver"
@@ -54,9 +50,9 @@ from clubface.studies.designs import (
     HYPERCUBE,
     SOBOL,
     TABLE,
+    CachedDesign,
     Design,
     DesignRows,
-    Remembered,
     design,
     table_columns,
 )
@@ -66,9 +62,9 @@ from clubface.support.files import InputRecord, absolute
 
 SAMPLED = (HYPERCUBE, SOBOL)
 MOST_ROWS = 500_000
-"""Largest number of tasks of a chunk."""
+"""Maximum number of tasks per chunk."""
 SECONDS = 2.0
-"""Time that a chunk takes by default [s], about."""
+"""Default time per chunk, approximately [s]."""
 KINDS = {
     "impact": "impacts.IMPACTS",
     "comparison": "impacts.COMPARISONS",
@@ -85,7 +81,7 @@ KINDS = {
 
 
 def kind(name: str) -> Kind:
-    """Return a kind of study by name, whose module is imported now."""
+    """Return a kind of study by name, importing its module."""
     check_choice("kind", name, KINDS)
     module, _, attribute = KINDS[name].partition(".")
     return getattr(import_module(f"clubface.studies.kinds.{module}"), attribute)
@@ -93,29 +89,29 @@ def kind(name: str) -> Kind:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class StudyFile:
-    """A study as its file describes it.
+    """A study as described by its file.
 
     Attributes
     ----------
     path
         The file.
     name
-        What it is called; the file's name without ending unless given.
+        Name of the study; default the file's name without ending.
     kind
-        What computes it.
+        Kind of study.
     table, sweep
-        The table of the kind and [sweep], as in the file.
+        The kind's table and [sweep], as in the file.
     method, seed
-        Name of the design, and the seed of a sampled one.
+        Name of the design, and seed for sampling.
     design
-        Which inputs each task has.
+        The inputs of each task.
     chunk
-        Tasks of a chunk, or None where ``seconds`` tell how long one should take [s].
+        Tasks per chunk, or None if ``seconds`` gives the time per chunk [s].
     inputs
-        The files that the study reads, as they were when they were read: the study itself, those that it names, and
-        those that these name in turn, such as a mesh.
+        All files read by the study, as they were when read: the study itself, files it names, and files named in these,
+        such as a mesh.
     units
-        Units of columns of the table that name none.
+        Units of table columns without one.
     """
 
     path: Path
@@ -134,11 +130,11 @@ class StudyFile:
 
     @property
     def folder(self) -> Path:
-        """The folder in which relative names of files begin."""
+        """The folder to which file names are relative."""
         return self.path.parent
 
     def content(self) -> dict[str, Any]:
-        """Return what the results depend on besides the version, by what a person calls it."""
+        """Return everything the results depend on besides the version, by readable names."""
         return {
             "kind": self.kind.name,
             f"[{self.kind.name}]": self.table,
@@ -152,12 +148,12 @@ class StudyFile:
 
     @cached_property
     def task(self) -> Task:
-        """What is computed; all files are read with it, and none later.
+        """The computation of the tasks; all files are read now, and none later.
 
         Raises
         ------
         FileError
-            Something is wrong with the study or with a file that it names.
+            The study, or a file that it names, has an error.
         """
         with self.inputs.active():
             task = self.kind.prepare(DescribedStudy(self.table, self.sweep, self.design, self.folder, self.wrap))
@@ -165,7 +161,7 @@ class StudyFile:
         return Loaded(task, self.inputs)
 
     def files(self) -> dict[str, str]:
-        """Return fingerprints of the files that the study reads, by their names from its folder."""
+        """Return fingerprints of the files the study reads, by their names relative to its folder."""
         _ = self.task
         folder, own = os.path.join(absolute(self.folder), ""), absolute(self.path)
         checksums = {path: each.sha256 for path, each in self.inputs.by_path().items() if path != own}
@@ -177,7 +173,7 @@ class StudyFile:
 
 
 class Loaded:
-    """A task whose files are read. See :class:`clubface.studies.kinds.kind.Task`."""
+    """A task whose files have been read. See :class:`clubface.studies.kinds.kind.Task`."""
 
     columns: Mapping[str, Column]
     histories: Histories
@@ -188,15 +184,15 @@ class Loaded:
         self.columns, self.histories, self.depends_on = task.columns, task.histories, task.depends_on
 
     def run(self, indices: range) -> Computed:
-        """Compute consecutive indices from the files as they were read."""
+        """Compute consecutive indices, using the files as read before."""
         with self.inputs.active():
             return self.task.run(indices)
 
 
 def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) -> StudyFile:
-    """Read a study from its file; what is wrong in it is a :class:`FileError` with the line.
+    """Read a study from its file; raise a :class:`FileError` with the line of an error.
 
-    ``inputs`` are its files, where another process has read them.
+    ``inputs`` are its files, if another process has read them.
     """
     record = InputRecord() if inputs is None else inputs
     with record.active():
@@ -205,7 +201,7 @@ def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) 
 
 @dataclass(frozen=True, kw_only=True)
 class StudyTable:
-    """How the tasks of a study are chosen and cut into chunks."""
+    """The table [study]: how tasks are chosen and divided into chunks."""
 
     name: str | None = file_key(NAME, "its name; default: the name of the file", default=None)
     kind: str = file_key(Choice(tuple(KINDS)), "what is computed", default="impact")
@@ -239,7 +235,7 @@ class StudyTable:
 
 
 def _study_file() -> dict[str, Value]:
-    """Return the keys of the file of a study, the tables of all kinds among them."""
+    """Return the keys of a study file, including the tables of all kinds."""
     tables = {name: Record(kind(name).keys) for name in KINDS}
     return {"study": Table(StudyTable), **tables, "sweep": Record(Simple("a list, or from, to and count or step"))}
 
@@ -258,7 +254,7 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
     with Place(document, (chosen.name,)).errors():
         folder = Path(path).parent
         known = chosen.swept(_with_paths(table, folder), _with_paths(data["sweep"], folder))
-        sweep = _flat(data["sweep"], known)
+        sweep = _flatten_sweep(data["sweep"], known)
     try:
         made = _design(document, known, sweep, head)
         _check_held(document, chosen, table, {each.name: known[each.name] for each in made.axes})
@@ -267,21 +263,21 @@ def _read(path: str | os.PathLike[str], inputs: InputRecord) -> StudyFile:
         raise Place(document, ("study" if of_study else "sweep",)).wrap(error) from None
     return StudyFile(
         path=Path(path), name=head.name or Path(path).stem, kind=chosen, table=table, sweep=sweep, method=head.design,
-        seed=head.seed or 0, design=Remembered(made), chunk=head.chunk, seconds=head.seconds or SECONDS,
+        seed=head.seed or 0, design=CachedDesign(made), chunk=head.chunk, seconds=head.seconds or SECONDS,
         document=document, units=head.units, inputs=inputs,
     )  # fmt: skip
 
 
 def _with_paths(table: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Return a table with the names of files in it, also those in lists, as their paths."""
+    """Return a table with file names, including those in lists, replaced by paths."""
     return {
         key: [resolved(each, folder) for each in value] if isinstance(value, list) else resolved(value, folder)
         for key, value in table.items()
     }
 
 
-def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
-    """Return [sweep] with inputs named by group and name, as in ``air.temperature``, under the one name they have."""
+def _flatten_sweep(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any]:
+    """Return [sweep] with grouped inputs, as in ``air.temperature``, under their own names."""
     flat: dict[str, Any] = {}
     for name, _, given in inputs_named(sweep, known):
         if name in flat:
@@ -291,7 +287,7 @@ def _flat(sweep: Mapping[str, Any], known: Mapping[str, Swept]) -> dict[str, Any
 
 
 def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept: Mapping[str, Swept]) -> None:
-    """Refuse what the table of a kind holds although it is swept, or is a column of the table that is swept."""
+    """Raise an error for an input that is both fixed in the kind's table and swept."""
     shared = {key: value for key, value in table.items() if key not in kind.apart}
     for name, place, _ in inputs_named(shared, swept):
         if name in swept:
@@ -303,7 +299,7 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
 
 
 def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], head: StudyTable) -> Design:
-    """Return the design of a study from what may be swept, and how it is chosen."""
+    """Return the design of a study."""
     axes: list[SweepAxis] = []
     for name, given in sweep.items():
         if name == TABLE:
@@ -325,7 +321,7 @@ def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, 
 
 
 def _generators() -> tuple[str, str]:
-    """Return the versions of what draws samples: another may draw others."""
+    """Return the versions of the sampling libraries, on which samples may depend."""
     from importlib.metadata import version
 
     return version("numpy"), version("scipy")

@@ -1,4 +1,4 @@
-"""What a study did and found, as results: a run, how far it is, its columns joined, and its summary."""
+"""Results of studies: a run, the status, joined columns, and the summary."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ from clubface.units import size
 __all__ = ["joined_result", "run_result", "status_result", "summary_picture", "summary_result"]
 
 MOST_ROWS, MOST_COLUMNS = 8, 6
-"""Quantities and inputs of a picture and of the tables along inputs; the first of more."""
+"""Maximum number of quantities and inputs in a picture and in the tables along inputs."""
 ROW_HEIGHT = 1.25
-"""Inches of a panel."""
+"""Height of a panel [inches]."""
 STATISTICS = ("mean", "deviation", "least", "most")
 
 
 def run_result(done: Outcome) -> Result:
-    """Return what a run of a study computed, and what is left to other runs."""
+    """Return what a run of a study computed, and what is left to other runs, as a result."""
     count, shown = done.mended
     notes = [*_task_notes(done.failed, done.remark)]
     if count:
@@ -50,7 +50,7 @@ def run_result(done: Outcome) -> Result:
 
 
 def status_result(state: Status) -> Result:
-    """Return how far a study is."""
+    """Return the status of a study as a result."""
     values = (
         text("tasks", [state.tasks]), text("chunks", [state.chunks]),
         text("chunk", [state.chunk], label="tasks a chunk"), text("done", [state.done], label="chunks done"),
@@ -66,7 +66,7 @@ def status_result(state: Status) -> Result:
 
 
 def joined_result(joined: Joined) -> Result:
-    """Return the SHA-256 of every column of a study whose parts were put together."""
+    """Return the SHA-256 of every column of a joined study as a result."""
     notes = _task_notes(joined.failed, joined.remark)
     if len(joined.processors) > 1:
         notes.append(note("study-processors", processors=list(joined.processors)))
@@ -76,7 +76,7 @@ def joined_result(joined: Joined) -> Result:
 
 
 def summary_result(summary: Summary) -> Result:
-    """Return means, spreads and extremes of a study, of all tasks and along every input."""
+    """Return means, spreads and extremes of a study, over all tasks and along every input, as a result."""
     held = _held(summary.study)
     inputs = {"study": Path(summary.study).name, "tasks": str(summary.tasks)} | {
         name: str(held[name]) for name in ("club", "ball", "hand", "model", "parameters") if name in held
@@ -97,7 +97,7 @@ def summary_result(summary: Summary) -> Result:
 
 
 def summary_picture(summary: Summary) -> Picture:
-    """Return the picture of a study: the first quantities, a row each, along the first inputs, a column each."""
+    """Return the picture of a study, with a row per quantity and a column per input."""
     shown = list(_quantities(summary).values())[:MOST_ROWS]
     along = list(summary.along)[:MOST_COLUMNS]
     return Picture(
@@ -129,7 +129,7 @@ def _overall(summary: Summary) -> Table:
 
 
 def _along(summary: Summary, along: Along) -> Table:
-    """Return a table along one input: of every level and quantity the statistics, printed as mean and deviation."""
+    """Return a table along one input: statistics by level and quantity, printed as mean and deviation."""
     quantities = _quantities(summary)
     rows = [(level, place) for level in range(len(along.levels)) for place in range(len(quantities))]
     figures = [along.figures[level] for level, _ in rows]
@@ -162,7 +162,7 @@ def _along(summary: Summary, along: Along) -> Table:
 
 
 def _statistics(figures: Sequence[Figures], places: Sequence[int], quantities: Sequence[Quantity]) -> list[Column]:
-    """Return count, mean, deviation and extremes, a row for each pair of figures and place of a quantity."""
+    """Return columns of count, mean, deviation and extremes, with a row for each pair of figures and quantity index."""
     pairs = list(zip(figures, places, strict=True))
     columns = [text("count", [int(each.count[place]) for each, place in pairs], printed=False)]
     values = {name: [float(getattr(each, name)[place]) for each, place in pairs] for name in STATISTICS}
@@ -174,7 +174,7 @@ def _statistics(figures: Sequence[Figures], places: Sequence[int], quantities: S
 
 
 def _digits(values: Mapping[str, Sequence[float]], row: int, quantity: Quantity) -> int:
-    """Return the places that show a spread to three digits, and the largest value to six at most."""
+    """Return the decimals that show the spread to three digits, and the largest value to at most six."""
     unit = size(quantity.golf.unit)
     spread, largest = values["deviation"][row] / unit, max(abs(values[name][row]) for name in STATISTICS) / unit
     if not 1e-6 <= spread < 1e7:
@@ -196,7 +196,7 @@ def _ranges(summary: Summary) -> list[Note]:
 
 
 def level_text(along: Along, level: int) -> str:
-    """Return a level of an input as people read it, with its unit; the ends of a class to a tenth of its width."""
+    """Return an input's level as text with its unit; ends of a class are rounded to a tenth of its width."""
     value = along.levels[level]
     if along.unit is None:
         return str(value)
@@ -233,7 +233,7 @@ def _panel(along: Along, place: int, shown: Quantity) -> Panel:
             Mark("intervals", x, mean, y0=least, y1=most, label="extremes", style=-1, symbol=""),
             Mark("intervals", x, mean, y0=mean - deviation, y1=mean + deviation, label="mean ± deviation"),
         ]
-    elif not finite.all():  # a flat face stands at the right of the numbers
+    elif not finite.all():  # a flat face is drawn to the right of the numbers
         last = x[finite][-1] + 0.15 * max(float(np.ptp(x[finite])), 1e-3) if finite.any() else 0.0
         low, high = mean[~finite] - deviation[~finite], mean[~finite] + deviation[~finite]
         marks.append(Mark("intervals", np.array([last]), mean[~finite], y0=low, y1=high))
@@ -244,7 +244,7 @@ def _panel(along: Along, place: int, shown: Quantity) -> Panel:
 
 
 def _held(study: str) -> Mapping[str, Any]:
-    """Return what the file of a study of impacts holds fixed; nothing for other kinds, or for the folder of a study."""
+    """Return the fixed inputs of a study file of impacts; empty for other kinds, or for a store's folder."""
     asked = read_study(study) if Path(study).is_file() else None
     return asked.table if asked is not None and asked.kind.name == "impact" else {}
 

@@ -1,4 +1,4 @@
-"""Means, spreads and extremes of what a study found, in all and along every input that it swept."""
+"""Means, spreads and extremes of a study's results, over all tasks and along every swept input."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from clubface.studies.store import Names, open_store
 from clubface.support.checks import check_names
 
 MOST_LEVELS = 40
-"""Different values of an input that are listed one by one; more are put together in classes."""
+"""Maximum number of values of an input listed individually; more are grouped into classes."""
 CLASSES = 10
 
 
 @dataclass(frozen=True)
 class Figures:
-    """Statistics of some tasks for every quantity, those without a result left out.
+    """Statistics of every quantity over some tasks, without those that have no result; all of shape (quantities,).
 
     Attributes
     ----------
     count
-        Tasks with a result, shape (quantities,), as all others.
+        Number of tasks with a result.
     mean, deviation
-        Mean and standard deviation (of the tasks as a whole) [SI]; NaN where there is no result.
+        Mean and population standard deviation [SI]; NaN without a result.
     least, most
         Extremes [SI].
     """
@@ -51,12 +51,12 @@ class Along:
     Attributes
     ----------
     name, unit
-        The input and its SI unit; None where it has names.
+        The input and its SI unit; None for names.
     levels
-        The names, the values [SI], or the ends (from, to) of classes of values [SI]; a flat face, whose bulge and roll
-        are infinite, is a level of its own.
+        The names, the values [SI], or the ends (from, to) of classes [SI]; a flat face, with infinite bulge or roll, is
+        a separate level.
     figures
-        Of the tasks at each level.
+        Statistics of the tasks at each level.
     """
 
     name: str
@@ -67,24 +67,24 @@ class Along:
 
 @dataclass(frozen=True, kw_only=True)
 class Summary(Described):
-    """What a study found.
+    """Summary of a study's results.
 
     Attributes
     ----------
     name
-        Of the study.
+        Name of the study.
     tasks
-        How many there are.
+        Number of tasks.
     quantities
-        SI unit by name of the quantities that are summed up.
+        SI units of the summarised quantities, by name.
     overall
-        Of all tasks.
+        Statistics over all tasks.
     along
-        Along each swept input.
+        Statistics along each swept input.
     failed, remark
-        As of :class:`clubface.studies.Joined`.
+        As in :class:`clubface.studies.Joined`.
     study
-        The file of the study, or the folder of its store.
+        The study file, or the folder of its store.
     """
 
     name: str
@@ -97,14 +97,14 @@ class Summary(Described):
     study: str
 
     def to_result(self) -> Result:
-        """Return means, spreads and extremes, of all tasks and along every input."""
+        """Return means, spreads and extremes, over all tasks and along every input, as a result."""
         from clubface.studies.study_result import summary_result
 
         return summary_result(self)
 
 
 class _Sums:
-    """Means and spreads of levels, part by part, in an order that the study fixes (Chan, Golub and LeVeque 1983)."""
+    """Means and spreads by level, accumulated part by part in a fixed order (Chan, Golub and LeVeque, 1983)."""
 
     def __init__(self, levels: int, quantities: int) -> None:
         shape = (levels, quantities)
@@ -112,7 +112,7 @@ class _Sums:
         self._least, self._most = np.full(shape, math.inf), np.full(shape, -math.inf)
 
     def add(self, level: NDArray[Any], values: NDArray[Any]) -> None:
-        """Add tasks of levels (from 0 on), values of shape (quantities, tasks)."""
+        """Add tasks with their levels (from 0) and values, shape (quantities, tasks)."""
         levels = len(self._count)
         for place, every in enumerate(values):
             there = np.isfinite(every)
@@ -141,7 +141,7 @@ class _Sums:
 
 
 class _Levels:
-    """The values of one swept input, one by one while they are few, and the classes of all where they are many."""
+    """The levels of one swept input: its values if they are few, otherwise classes."""
 
     def __init__(self, name: str, unit: str | None, choices: Sequence[str]) -> None:
         self.name, self.unit, self._choices = name, unit, tuple(choices)
@@ -150,7 +150,7 @@ class _Levels:
         self._holds_flat = False
 
     def look(self, values: NDArray[Any] | Names) -> None:
-        """Take note of values, before any is counted."""
+        """Collect values, before any are counted."""
         if isinstance(values, Names):
             return
         if len(self._values) <= MOST_LEVELS:
@@ -162,7 +162,7 @@ class _Levels:
 
     @property
     def levels(self) -> list[Any]:
-        """The names, values or ends of classes."""
+        """The names, values, or ends of classes."""
         if self.unit is None:
             return list(self._choices)
         if len(self._values) <= MOST_LEVELS:
@@ -188,18 +188,18 @@ def summary(
     store: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Summary:
-    """Sum up a study, all of whose parts must be there, in a space that does not grow with it.
+    """Summarise a study, all of whose parts must exist, in constant memory.
 
     Parameters
     ----------
     study
-        The file of the study, or the folder of its store.
+        The study file, or the folder of its store.
     quantities
-        The quantities to sum up; all unless given.
+        The quantities to summarise; default all.
     store
-        The folder of the store of a file, unless it is the usual one.
+        The folder of the study's store; default next to the file.
     progress
-        Called with the parts read, each twice, and twice the parts in all.
+        Called with the number of parts read and the total; every part is read twice.
     """
     if isinstance(quantities, str) or not isinstance(quantities, Iterable | None):
         raise InputError("quantities", quantities, 'a list of quantities, as in ["carry"]')

@@ -1,6 +1,6 @@
-"""The contents of cells of a table, and the columns of some rows at a time, with the rows that cannot be used.
+"""Parsing table cells, and chunks of table rows by column, with the rejected rows.
 
-A cell holds a number with a point or a decimal comma, its side or unit, a hand, or nothing.
+A cell holds a number with a decimal point or comma, with a side or unit, a hand, or nothing.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from clubface.support.arrays import Floats
 
 MISSING = frozenset({"", "n/a", "#n/a", "na", "n/m", "nan", "null", "none", "no data", "not measured"})
-"""Cells that say that nothing was measured, in lower case; so do those of nothing but dashes, points and the like."""
+"""Cells for missing values, in lower case; cells with only dashes, points and the like are missing too."""
 _DASHES = "-–—−.,:_*?~ \xa0"
 NUMBER = re.compile(
     r"(?P<before>(?:[^\d.,+-]++(?:[-/]\s?(?=[^\W\d_])[^\d.,+-]++)*+)?+)"
@@ -35,27 +35,27 @@ NUMBER = re.compile(
     r"\s*+(?P<rest>\D*+)",
     re.IGNORECASE,
 )
-"""A number, whose thousands may stand apart, with words before and after it: its side and its unit.
+"""A number, possibly with separated thousands, with words before and after it for side and unit.
 
-It gives nothing back (``++``): a cell of 40,000 commas and a digit would be tried in a billion ways.
+It does not backtrack (``++``): a cell of 40,000 commas and a digit would otherwise be tried in a billion ways.
 """
 _APART = re.compile(r"[-+]?\d{1,3}(?:[\s'’ʼ]\d{3})+(?:[.,]\d*)?")
-"""A number whose thousands are separated by a space or an apostrophe, which separates nothing else."""
+"""A number with thousands separated by spaces or apostrophes, which have no other meaning."""
 THOUSANDS = {
     ",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
     ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"),
 }
-"""Numbers whose thousands are separated by a sign, by that sign."""
+"""Patterns of numbers with separated thousands, by separator."""
 LARGE = frozenset({"total_spin", "backspin", "sidespin", "closure"})
-"""Quantities that have thousands in their usual units; of others, 1.386 and 147.512 are no thousands."""
+"""Quantities that reach thousands in their usual units; for others, 1.386 and 147.512 are decimals."""
 SHOWN = 3
-"""Cells beyond the columns that a reason shows."""
+"""Maximum number of surplus cells shown in a reason."""
 _HANDS = {**HANDS, "r": 1, "l": -1, "rh": 1, "lh": -1, "right handed": 1, "left handed": -1, "1": 1, "+1": 1, "-1": -1}
 PARTS_MISSING = "parts of the unfinished work were removed or damaged meanwhile; give the same command again"
 
 
 def is_missing(text: str) -> bool:
-    """Return whether a cell says that nothing was measured."""
+    """Return whether a cell means not measured."""
     return text.strip().lower() in MISSING or not text.strip(_DASHES)
 
 
@@ -70,17 +70,17 @@ def is_number(text: str) -> bool:
 class Decimals(NamedTuple):
     """How the numbers of a file are written."""
 
-    comma: bool  # whether their decimals follow a comma
-    doubtful: str = ""  # a cell that may be read both ways, where nothing in the file decides it
+    comma: bool  # whether numbers have a decimal comma
+    doubtful: str = ""  # an ambiguous cell, if nothing in the file decides
 
 
 def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Decimals:
-    """Return how numbers are written, by cells with the quantity of their column, None where it is not known.
+    """Return how numbers are written, from cells with the quantity of their column (None if unknown).
 
-    "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is one or the other, which its
-    column decides: spins have thousands in rpm, unless some show decimals, as 2845.312 does, and no other quantity
-    reaches them. The majority of the cells decides; where only cells of unknown columns could, a comma between cells is
-    no decimal comma, and a point is a decimal point.
+    "12,5" and "1.234,5" have a decimal comma, "12.5" and "1,234.5" a point. "2.845" is ambiguous and depends on the
+    column: only spins reach thousands in rpm, unless some have decimals, as 2845.312. The majority of cells decides. If
+    only unknown columns could decide, a comma that is the delimiter is not a decimal comma, and a point is a decimal
+    point.
     """
     votes = {",": 0, ".": 0}
     doubtful = {",": "", ".": ""}
@@ -124,10 +124,10 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
 
 
 def may_be_thousands(columns: Iterable[Sequence[str]], decimal_comma: bool) -> set[str]:
-    """Return the cells whose decimal mark stands where one that separates thousands would: 2.845, 2.845 rpm.
+    """Return the cells whose decimal mark could separate thousands: 2.845, 2.845 rpm.
 
-    There are none in columns in which another number, such as 2845.312 or 12.5, shows that its mark is that of
-    decimals: one program writes all of them.
+    There are none if another number of the column, such as 2845.312 or 12.5, shows that the mark is for decimals, since
+    one program writes the whole column.
     """
     mark = "," if decimal_comma else "."
     result = set()
@@ -142,12 +142,12 @@ def may_be_thousands(columns: Iterable[Sequence[str]], decimal_comma: bool) -> s
 
 
 def doubt(cell: str) -> Note:
-    """Return the note on a number that may be read with thousands or decimals."""
+    """Return the note on a number that is ambiguous between thousands and decimals."""
     return note("decimals-or-thousands", mark="comma" if "," in cell else "point", example=quoted_cell(cell))
 
 
 def number(text: str, decimal_comma: bool) -> float:
-    """Return the number that a text stands for, with or without signs between its thousands; else a ``ValueError``."""
+    """Return the number in a text, with or without separated thousands; raise a ``ValueError`` for other text."""
     if "_" in text:
         raise ValueError
     text = re.sub(r"^([-+])\s", r"\1", text.strip())
@@ -162,7 +162,7 @@ def number(text: str, decimal_comma: bool) -> float:
 
 
 def hand_of(text: str) -> float:
-    """Return +1 for a right hand and -1 for a left one, as people and monitors write them; else a ``ValueError``."""
+    """Return +1 for a right hand and -1 for a left one, in any common spelling; else raise a ``ValueError``."""
     words = text.strip().lower().replace("-handed", " handed")
     if words not in _HANDS:
         raise ValueError
@@ -170,7 +170,7 @@ def hand_of(text: str) -> float:
 
 
 def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | None:
-    """Return a column of finite numbers, as most columns of most files are, at a tenth of the usual cost; else None."""
+    """Return a column of finite numbers, ten times faster than by cell; None if there are other cells."""
     import numpy as np
 
     joined = "".join(cells)
@@ -184,7 +184,7 @@ def all_numbers(cells: Sequence[str], decimal_comma: bool) -> NDArray[Any] | Non
 
 
 def parsed(cells: Sequence[str], column: FileColumn, decimal_comma: bool) -> tuple[NDArray[Any], dict[int, str]]:
-    """Return the numbers ``cells`` hold, and for those that hold none, why."""
+    """Return the numbers in ``cells``, and the reasons for cells without one."""
     import numpy as np
 
     is_hand = column.quantity == HAND
@@ -205,7 +205,7 @@ def parsed(cells: Sequence[str], column: FileColumn, decimal_comma: bool) -> tup
 
 
 def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
-    """Return the number of a cell, which may name a unit of its own, in the unit of its column; else ValueError."""
+    """Return the number of a cell, which may have its own unit, in the unit of its column; else raise ValueError."""
     match = NUMBER.fullmatch(text)
     if match is None or match["before"] or not match["rest"]:
         return number(text, decimal_comma)
@@ -217,19 +217,19 @@ def _in_unit(text: str, symbol: str, decimal_comma: bool) -> float:
 
 
 def cell_text(value: Any) -> str:
-    """Return a text or a number as a cell has it, NaN as an empty one."""
+    """Return a text or a number as the content of a cell; NaN is empty."""
     if isinstance(value, str):
         return value
     return "" if math.isnan(value) else repr(float(value))
 
 
 def quoted_cell(text: str) -> str:
-    """Return a cell as an error shows it."""
+    """Return a cell for display in an error."""
     return repr(shortened(text, 40))
 
 
 def ragged_reason(cells: Sequence[str], width: int) -> str:
-    """Return what is wrong with a row that has too few or too many cells."""
+    """Return the reason for rejecting a row with too few or too many cells."""
     reason = f"{len(cells)} cell{'s' * (len(cells) != 1)} where there are {width} columns"
     if len(cells) > width:
         beyond = cells[width : width + SHOWN]
@@ -238,11 +238,11 @@ def ragged_reason(cells: Sequence[str], width: int) -> str:
 
 
 _NO_SIDE = frozenset({"n", "neutral", "s", "straight", "square", "sq", "m", "middle", "c", "center", "centre"})
-"""Words that go with zero."""
+"""Words allowed next to zero."""
 LISTED = 8
-"""Sides that an error lists."""
+"""Maximum number of sides listed in an error."""
 PLAIN = re.compile(r"-?\d{1,15}(\.\d{0,20})?", re.ASCII)
-"""A number as most cells of most files hold it."""
+"""A number in its most common form."""
 
 
 class CellError(ValueError):
@@ -253,17 +253,16 @@ class CellReading(NamedTuple):
     """The content of a cell."""
 
     value: float
-    side: Side | None = None  # without one the sign is as the file has it
-    unit: str | None = None  # without one it is that of the column
+    side: Side | None = None  # None if the sign alone counts
+    unit: str | None = None  # None for the column's unit
 
 
 def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0) -> CellReading | None:
     """Return the content of a cell; None if nothing was measured.
 
-    A number may stand with its side (``10.5 L``, ``L3.1``, ``3.1 In-Out``) and its unit (``422 R rpm``,
-    ``8.5 mm Toe``), before it and after it, in any order. A sign next to a side must say the same: where positive
-    numbers of the column are to the right (``positive`` is the sign of its positive side here), -1.2 L is 1.2 to the
-    left and -1.2 R is an error.
+    A number may have a side (``10.5 L``, ``L3.1``, ``3.1 In-Out``) and a unit (``422 R rpm``, ``8.5 mm Toe``), before
+    or after it, in any order. A sign must agree with the side: if positive numbers of the column mean right
+    (``positive`` is clubface's sign of the column's positive side), -1.2 L is 1.2 to the left and -1.2 R is an error.
     """
     if not decimal_comma and PLAIN.fullmatch(cell):
         return CellReading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
@@ -283,7 +282,7 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
 
 
 def unit_in(cell: str, quantity: str = "") -> str | None:
-    """Return the symbol of the unit that a cell names next to its number, or None."""
+    """Return the symbol of the unit next to the number in a cell, or None."""
     try:
         return _parts(cell, quantity)[2]
     except CellError:
@@ -291,7 +290,7 @@ def unit_in(cell: str, quantity: str = "") -> str | None:
 
 
 def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | None]:
-    """Return the number of a cell, its side and its unit, each of which may stand before the number or after it."""
+    """Return number, side and unit of a cell; side and unit may stand before or after the number."""
     text = narrow(cell.replace("−", "-")).strip()
     match = NUMBER.fullmatch("-" + text[1:] if text[:1] == "–" else text)
     if not match or not any(map(str.isdigit, match["number"])):
@@ -308,7 +307,7 @@ def _parts(cell: str, quantity: str) -> tuple[re.Match[str], Side | None, str | 
 
 @lru_cache(maxsize=4096)
 def _side_and_unit(text: str, quantity: str) -> tuple[Side | None, str | None] | None:
-    """Return the side and the unit that words next to a number name, in any order; None where they are others."""
+    """Return side and unit from the words next to a number, in any order; None for other words."""
     sides = SIDES.get(quantity, {})
     words = re.sub(r"[°º](?!/)", r" ° ", text).split()
     only_unit = None
@@ -326,21 +325,21 @@ def _side_and_unit(text: str, quantity: str) -> tuple[Side | None, str | None] |
 class Reject(NamedTuple):
     """A row that cannot be used."""
 
-    line: int  # where it begins (in a Parquet file, the number of the row), from 1
+    line: int  # line at which it begins (in a Parquet file, the row), from 1
     reason: str  # what is wrong
     cells: Sequence[str]  # the row as in the file
 
 
 @dataclass(frozen=True)
 class Chunk:
-    """Some rows of a table, all with as many cells as there are columns."""
+    """Some rows of a table, each with a cell for every column."""
 
-    lines: Sequence[int]  # where each row begins
+    lines: Sequence[int]  # line at which each row begins
     columns: Sequence[Any]  # each a sequence of texts, an array of numbers or texts, or an Arrow array
-    ragged: Sequence[Reject] = ()  # rows with too few or too many cells, which are not among the others
+    ragged: Sequence[Reject] = ()  # rows with too few or too many cells, not included above
     decimal_comma: bool = False  # whether texts write numbers with a decimal comma
-    as_written: Sequence[str] | None = None  # the rows as they stand in a CSV file
-    deliveries: Mapping[str, Floats] | None = None  # inputs of an impact [SI], where they need not be read from cells
+    as_written: Sequence[str] | None = None  # the rows as written in a CSV file
+    deliveries: Mapping[str, Floats] | None = None  # inputs of an impact [SI], if known without reading cells
 
     def select(self, rows: Sequence[int] | None) -> Self:
         """Return the chunk of some rows; None stands for all."""
@@ -351,7 +350,7 @@ class Chunk:
         return replace(self, lines=[self.lines[row] for row in rows], columns=columns, as_written=written)
 
     def numbers(self, column: FileColumn) -> tuple[Any, dict[int, str]]:
-        """Return the numbers of a column in its unit, and for rows without one, why."""
+        """Return the numbers of a column in its unit, and the reasons for rows without one."""
         import numpy as np
 
         numbers = self.cells(column.place)
@@ -365,7 +364,7 @@ class Chunk:
         }
 
     def cells(self, place: int) -> Any:
-        """Return the cells of a column: an array of numbers, NaN where there is none, or a list of texts."""
+        """Return the cells of a column: an array of numbers, with NaN for missing ones, or a list of texts."""
         column = self.columns[place]
         if _is_arrow(column):
             import pyarrow
@@ -382,7 +381,7 @@ class Chunk:
         return [list(cells) for cells in zip(*map(_texts, columns), strict=True)]
 
     def written(self, rows: Sequence[int] | None, delimiter: str) -> list[str]:
-        """Return some rows (None: all) as they stand, or would stand, in a CSV file."""
+        """Return some rows (None: all) as lines of a CSV file."""
         if self.as_written is not None:
             texts = self.as_written if rows is None else [self.as_written[row] for row in rows]
             return [text.rstrip("\r\n") for text in texts]

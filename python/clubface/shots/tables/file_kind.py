@@ -1,4 +1,4 @@
-"""What a file is by its first bytes, whatever its name: a table, a workbook, or something that is no table at all."""
+"""Recognising files by their first bytes, whatever their name: a table, a workbook, or something else."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from clubface.errors import FileError, shortened
 from clubface.support.files import open_input
 
 START = 4096
-"""Bytes of a file that say what it is."""
+"""Number of bytes read to recognise a file."""
 _WORKBOOK, _SAVE = "save the sheet as .xlsx or CSV", "export the shots as CSV"
 _SIGNATURES: tuple[tuple[bytes, str], ...] = (
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", f"an Excel workbook of the old kind (.xls); {_WORKBOOK}"),
@@ -48,7 +48,7 @@ _SPREADSHEETS = {".xls": _WORKBOOK, ".ods": _WORKBOOK, ".numbers": "export it as
 
 
 def is_workbook(path: Path) -> bool:
-    """Return whether a file is an Excel workbook (.xlsx), by what is in it and not by its name."""
+    """Return whether a file is an Excel workbook (.xlsx), by its content."""
     try:
         with open_input(path) as file:
             return file.read(4) == b"PK\x03\x04" and "xl/workbook.xml" in _archived(path)
@@ -57,7 +57,7 @@ def is_workbook(path: Path) -> bool:
 
 
 def refuse_no_table(path: Path, start: bytes) -> None:
-    """Refuse a file that is no text of a table by its first bytes, with what it is and what to do."""
+    """Raise an error, with advice, if the first bytes show that a file is not a text table."""
     if start.startswith(b"PK\x03\x04"):
         names = _archived(path)
         kind = next((text for pattern, text in _ARCHIVED if any(map(pattern.fullmatch, names))), None)
@@ -75,7 +75,7 @@ def refuse_no_table(path: Path, start: bytes) -> None:
 
 
 def _archived(path: Path) -> list[str]:
-    """Return the names of the files in a ZIP archive, none where it is damaged."""
+    """Return the names of the files in a ZIP archive; empty if it is damaged."""
     try:
         with open_input(path) as file, zipfile.ZipFile(file) as archive:
             return archive.namelist()

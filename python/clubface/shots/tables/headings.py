@@ -1,6 +1,6 @@
-"""The quantity and unit of each column of a table of shots, by the words of its heading and the unit behind them.
+"""Quantity and unit of each column in a table of shots, from the words of its heading and the unit behind them.
 
-The words, in the languages of golfers, are those of ``data/vocabulary.toml``.
+The words, in many languages, are in ``data/vocabulary.toml``.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from clubface.support.files import DATA
 from clubface.units import unit
 
 _WIDE = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {0x3000: " "}
-"""The letters, digits and brackets that take the width of a Chinese character, and the usual ones."""
+"""Full-width letters, digits and brackets, and the usual ones."""
 _GAPS = re.compile(r"(?:[\s,/_–-]|\bin\b)+")
-"""What stands between a heading and its unit."""
+"""Separators between a heading and its unit."""
 _BRACKETS = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 
 
@@ -42,7 +42,7 @@ def by_word(lists: dict[str, list[str]]) -> dict[str, str]:
 
 
 WORLD, CLUB = "world", "club"
-"""The frame of left and right: that of the course, or that of the club, which a left-hander mirrors."""
+"""Frames for left and right: the course, or the club, which a left-hander mirrors."""
 
 
 class Side(NamedTuple):
@@ -53,7 +53,7 @@ class Side(NamedTuple):
 
 
 FACE_TO_PATH = "face_to_path"
-"""Face angle less path: not a quantity of a shot, but with the path it gives the face angle."""
+"""Face angle minus path: not a quantity of a shot, but it gives the face angle if the path is known."""
 _SIGNS = {"<": Side(-1.0, WORLD), ">": Side(1.0, WORLD), "-": Side(-1.0, CLUB), "+": Side(1.0, CLUB)}
 
 
@@ -74,17 +74,17 @@ _TWO_SIDES = re.compile(rf"(?:^|\s)({_SIDES})([-+])\s*/\s*({_SIDES})([-+])$", re
 
 
 def plain(text: str) -> str:
-    """Return the words of a text in lower case, without punctuation; an underscore parts words as a space does."""
+    """Return the words of a text in lower case, without punctuation; an underscore separates words like a space."""
     return " ".join(re.findall(r"[^\W_]+", unicodedata.normalize("NFC", text).casefold()))
 
 
 def squeezed(name: str) -> str:
-    """Return plain words without the spaces between them, in which ``BallSpeed`` and ``Ball Speed`` are the same."""
+    """Return plain words without spaces, so that ``BallSpeed`` and ``Ball Speed`` are equal."""
     return name.replace(" ", "")
 
 
 def units_behind(text: str) -> Iterator[tuple[str, str]]:
-    """Yield how a heading may part into a name in plain words and the unit behind it: ``Carry/yd``, ``Spin in rpm``."""
+    """Yield the ways to split a heading into a plain name and the unit behind it: ``Carry/yd``, ``Spin in rpm``."""
     apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)  # ballSpeedMph
     for gap in _GAPS.finditer(apart):
         last = apart[gap.end() :]
@@ -93,7 +93,7 @@ def units_behind(text: str) -> Iterator[tuple[str, str]]:
 
 
 def narrow(text: str) -> str:
-    """Return a text with usual letters for those that take the width of a Chinese character."""
+    """Return a text with full-width characters replaced by the usual ones."""
     return text if text.isascii() else text.translate(_WIDE)
 
 
@@ -106,7 +106,7 @@ def bracketed(text: str) -> tuple[str, str | None]:
 
 @lru_cache(maxsize=4096)
 def unit_symbol(text: str) -> str | None:
-    """Return the symbol of the unit that a monitor writes as ``text``, or None for an unknown one."""
+    """Return the symbol of a unit as written by monitors, or None if unknown."""
     spelled = narrow(text).strip().strip("[]()").strip()
     lower = spelled.lower().removesuffix(".")
     for each in (spelled, lower, _UNITS.get(lower, "")):
@@ -119,7 +119,7 @@ def unit_symbol(text: str) -> str | None:
 
 
 def unit_of_column(text: str, dimension: str, heading: str, place: tuple[str, int | None]) -> str:
-    """Return the symbol of the unit that a heading names; one that is unknown or does not fit is an error."""
+    """Return the symbol of a heading's unit; raise an error if it is unknown or of the wrong dimension."""
     try:
         return unit(unit_symbol(text) or text, name=f"the unit of the column {heading!r}", dimension=dimension).symbol
     except UnitError as error:
@@ -130,26 +130,26 @@ DELIVERY_QUANTITIES = (
     "speed", "attack", "path", "loft", "face", "lie", "toe", "high", "closure", "pitch_rate", "lie_rate",
     "ball_backspin", "ball_sidespin", "ball_riflespin", "hand",
 )  # fmt: skip
-"""The inputs of a delivery, whose synonyms the registry of quantities has."""
+"""Delivery inputs, whose synonyms are in the registry of quantities."""
 LAUNCH_QUANTITIES = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "contact_time",
     "peak_force", "carry", "side", "apex", "flight_time", "landing_angle", "landing_speed", "total", "total_side",
 )  # fmt: skip
-"""The quantities of a launch and its flight that a table may hold."""
+"""Launch and flight quantities that a table may contain."""
 SECOND_CHOICE = frozenset({"carry_flat", "carry_flat_length", "flat_carry"})
-"""Names of what is nearly the quantity: read only where the file has no other column of it."""
+"""Names of nearly the same quantity, used only if the file has no better column."""
 HAND = "hand"
 MOST_NAMED = 12
-"""Columns that an error names."""
+"""Maximum number of columns named in an error."""
 
 
 class HeadingParts(NamedTuple):
-    """The parts of a heading. Words in brackets that are not a unit belong to its name."""
+    """The parts of a heading; bracketed words that are not a unit belong to its name."""
 
-    name: str  # its words in lower case, without punctuation
+    name: str  # words in lower case, without punctuation
     unit: str | None  # the text of the unit in brackets
     positive: str | None  # the word for the positive side, as in "(deg closed-/open+)"
-    bare: str  # the words without those in brackets: "spin axis" for "Spin Axis (Sim)"
+    bare: str  # words outside brackets: "spin axis" for "Spin Axis (Sim)"
 
 
 def heading(text: str) -> HeadingParts:
@@ -168,9 +168,9 @@ def heading(text: str) -> HeadingParts:
 
 
 class KnownHeadings:
-    """The headings that are known, in plain words, however a file spells them and wherever it writes the unit.
+    """Known headings in plain words, whatever their spelling and the position of the unit.
 
-    Of names that are the same without spaces the first counts; those of ``with_unit`` only with a unit behind them.
+    If names are equal without spaces, the first counts; names in ``with_unit`` count only with a unit behind them.
     """
 
     def __init__(self, names: Iterable[str], with_unit: Collection[str] = ()) -> None:
@@ -180,11 +180,11 @@ class KnownHeadings:
         self._read: dict[str, HeadingParts] = {}
 
     def spelled(self, name: str) -> str:
-        """Return the heading that is the same but for where its words part, as of ``clubspeed``; else ``name``."""
+        """Return the known heading that differs only in spaces, as for ``clubspeed``; else ``name``."""
         return name if name in self._names else self._unparted.get(squeezed(name), name)
 
     def parts(self, text: str) -> HeadingParts:
-        """Return the parts of a heading, whose unit may follow without brackets: ``club_speed_mph``, ``Carry/yd``."""
+        """Return the parts of a heading; its unit may follow without brackets: ``club_speed_mph``, ``Carry/yd``."""
         if (result := self._read.get(text)) is None:
             result = self._read[text] = self._parts(text)
         return result
@@ -209,8 +209,8 @@ class KnownHeadings:
 class Vocabulary:
     """The words a table may use."""
 
-    names: Mapping[str, str]  # the quantity meant by every name a column may have, in plain words
-    dimensions: Mapping[str, str]  # of each quantity
+    names: Mapping[str, str]  # quantity by column name, in plain words
+    dimensions: Mapping[str, str]  # dimension by quantity
 
     @cached_property
     def headings(self) -> KnownHeadings:
@@ -218,12 +218,12 @@ class Vocabulary:
         return KnownHeadings(self.names)
 
     def quantity(self, text: str) -> str | None:
-        """Return the quantity that a heading names; None for any other."""
+        """Return the quantity of a heading, or None."""
         return self.names.get(self.headings.parts(text).name)
 
 
 def _vocabulary(quantities: Sequence[str], dimensions: Mapping[str, str], others: Mapping[str, str]) -> Vocabulary:
-    """Return the words for the quantities of some dimensions; the registry has synonyms of those that it knows."""
+    """Return the words for quantities with these dimensions, with synonyms from the registry."""
     foreign = {name: each for name, each in vocabulary()["headings"].items() if name in dimensions}
     own = {plain(name): name for name in dimensions}
     synonyms = {name: quantity_named(name).synonyms for name in quantities}
@@ -238,7 +238,7 @@ def delivery_words() -> Vocabulary:
 
 @cache
 def shot_words() -> Vocabulary:
-    """Return the words for the inputs of an impact and for what is measured of the launch and the flight."""
+    """Return the words for the inputs of an impact and for measured launch and flight quantities."""
     variables = {**flight_outputs(), **outputs()}
     dimensions = {name: variables[name].dimension for name in LAUNCH_QUANTITIES}
     launches = _vocabulary(LAUNCH_QUANTITIES, dimensions, delivery_words().names)
@@ -246,29 +246,29 @@ def shot_words() -> Vocabulary:
 
 
 class FileColumn(NamedTuple):
-    """A column that is used."""
+    """A column in use."""
 
     place: int  # in a row
     heading: str  # as in the file
     quantity: str
-    unit: str  # the symbol of that of its numbers
+    unit: str  # symbol of the unit of its numbers
     side: Side = Side(1.0, WORLD)  # the sign of a number without a side, and whether it is in world or club terms
-    is_named: bool = True  # whether the file names the unit, so that the file is to be corrected and not the command
-    is_assumed: bool = False  # whether nobody says the unit: it is that of the maker's program when it is installed
+    is_named: bool = True  # whether the unit is from the file, so that the file must be corrected if it is wrong
+    is_assumed: bool = False  # whether the unit is only the default of the maker's program
 
 
 class ColumnLayout(NamedTuple):
     """The columns of a file and their meaning."""
 
-    headings: tuple[str, ...]  # of all columns, as in the file; one without a name is named after its place
-    used: tuple[FileColumn, ...]  # those that give inputs
-    passed: tuple[str, ...]  # headings of those that are only passed through
+    headings: tuple[str, ...]  # of all columns, as in the file; an unnamed column is named after its position
+    used: tuple[FileColumn, ...]  # columns that give inputs
+    passed: tuple[str, ...]  # headings of columns that are only passed through
     notes: tuple[Note, ...]
 
 
 POINTS = {"speed_at": ("cg", "face", "unknown"), "face_at": ("face", "contact", "unknown")}
-"""Columns that say where on the club its motion and its face angles were taken, and what they may say, first where
-models want them. They are there only where it is elsewhere."""
+"""Columns for the reference points of club motion and face angles, with their values, the one models need first. They
+are written only for other points."""
 
 
 def layout(
@@ -279,11 +279,11 @@ def layout(
     given_units: Mapping[str, str] | None = None,
     remedy: Callable[[Mapping[str, str]], str] | None = None,
 ) -> ColumnLayout:
-    """Find the quantities among ``headings``; a unit that does not fit or a repeated column is an error.
+    """Return the quantities among ``headings``; raise an error for a wrong unit or a repeated column.
 
-    Without ``words`` they are the inputs of an impact. ``given_units`` are the units, by quantity or dimension, of
-    columns that name none; all columns that then have none are named in an error. ``remedy`` says how units are given,
-    by name; unless given, as options of a command.
+    ``words`` defaults to the inputs of an impact. ``given_units`` are units, by quantity or dimension, of columns
+    without one; columns that still have none are listed in an error. ``remedy`` describes how units are given, by
+    default as command options.
     """
     given_units = given_units or {}
     words = words or delivery_words()
@@ -322,24 +322,24 @@ def layout(
 
 SPIN = ("backspin", "sidespin", "total_spin")
 GROUPS = {"spin": ("angular rate", SPIN)}
-"""Names under which units may be given for several quantities of a dimension at once."""
+"""Names for giving the unit of several quantities of one dimension."""
 
 
 def given_unit(given: Mapping[str, str], quantity: str, dimension: str) -> str | None:
-    """Return the unit that was given for a quantity: by its name, its group or its dimension, the closest first."""
+    """Return the unit given for a quantity by name, group or dimension, in this order."""
     groups = (name for name, (_, members) in GROUPS.items() if quantity in members)
     return next((given[name] for name in (quantity, *groups, dimension) if name in given), None)
 
 
 def check_units(given: Mapping[str, str], dimensions: Mapping[str, str] | None = None) -> dict[str, str]:
-    """Return units by quantity, group or dimension, each checked; ``dimensions`` are those of the quantities.
+    """Return checked units by quantity, group or dimension; ``dimensions`` gives the quantities' dimensions.
 
     Raises
     ------
     UnknownNameError
-        A name is none of them.
+        A name is not a quantity, group or dimension.
     UnitError
-        A unit is not known, or of another dimension.
+        A unit is unknown, or of another dimension.
     """
     dimensions = shot_words().dimensions if dimensions is None else dimensions
     groups = {name: dimension for name, (dimension, members) in GROUPS.items() if set(members) & set(dimensions)}
@@ -357,7 +357,7 @@ def missing_units(
     dimensions: Mapping[str, str],
     remedy: Callable[[Mapping[str, str]], str] | None = None,
 ) -> FileError:
-    """Return the error on columns, by heading and quantity, whose unit nothing names: a number alone is no value."""
+    """Return the error on columns without a unit, given by heading and quantity."""
     options = {}
     for _, quantity in columns:
         dimension = dimensions[quantity]
@@ -384,14 +384,14 @@ def _as_options(units: Mapping[str, str]) -> str:
 
 
 def require_speed(columns: ColumnLayout, path: str, line: int | None) -> None:
-    """Refuse a table without the clubhead speed, the one input without a default."""
+    """Raise an error for a table without clubhead speed, the only input without a default."""
     if all(each.quantity != "speed" for each in columns.used):
         message = f'there is no column for the clubhead speed, such as "club_speed_mph"; {listed(columns.headings)}'
         raise FileError(path, line, message, "speed")
 
 
 def listed(headings: Sequence[str]) -> str:
-    """Name the columns there are, the first dozen of them; what no terminal should be sent becomes a question mark."""
+    """Return a list of the first dozen columns in words, with unprintable characters as question marks."""
     first = [shortened(heading, 40) for heading in headings[:12]]
     shown = ["".join(each if each.isprintable() else "?" for each in heading) for heading in first]
     return "there are: " + ", ".join(shown) + (", ..." if len(headings) > 12 else "")
@@ -403,7 +403,7 @@ def plain_name(name: str) -> str:
 
 
 def near_name(name: str, known: Collection[str]) -> str | None:
-    """Return the known name that ``name``, with or without a unit at its end, most likely misspells; None for none."""
+    """Return the known name that ``name``, with or without a unit at its end, most likely misspells, or None."""
     from difflib import get_close_matches
 
     for each in (name, name.rpartition(" ")[0]):

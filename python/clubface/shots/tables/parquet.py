@@ -1,4 +1,4 @@
-"""Deliveries from and launches to Parquet files; the only module that needs pyarrow."""
+"""Reading and writing Parquet files; the only module that needs pyarrow."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ENDINGS = (".parquet", ".pq")
 
 
 def pyarrow_for(path: Path | str) -> Any:
-    """Return the module pyarrow, or say what ``path`` needs it for."""
+    """Return the module pyarrow, or raise an error that ``path`` needs it."""
     try:
         import pyarrow
         import pyarrow.parquet
@@ -28,7 +28,7 @@ def pyarrow_for(path: Path | str) -> Any:
 
 
 def check_pyarrow(path: Path | str) -> None:
-    """Say what ``path`` needs pyarrow for where it is not installed, without the time that loading it takes."""
+    """Raise an error that ``path`` needs pyarrow if it is not installed, without the cost of loading it."""
     if find_spec("pyarrow") is None:
         raise _missing(path)
 
@@ -38,7 +38,7 @@ def _missing(path: Path | str) -> FileError:
 
 
 class ParquetReader:
-    """A Parquet file, read as a CSV file is; see :class:`clubface.shots.tables.row_source.CsvReader`."""
+    """A Parquet file, with the interface of :class:`clubface.shots.tables.row_source.CsvReader`."""
 
     counts = "row"
     header_line: int | None = None
@@ -67,7 +67,7 @@ class ParquetReader:
         self._read = 0
 
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
-        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        """Yield chunks of ``rows`` rows, after skipping the first ``skip``."""
         try:
             for batch in self._file.iter_batches(rows):
                 batch.validate(full=True)  # text that is not UTF-8, which a damaged page brings
@@ -81,12 +81,12 @@ class ParquetReader:
             raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
 
     def column_parts(self, rows: int) -> Iterator[tuple[list[Any], Sequence[int]]]:
-        """Yield the cells of some ``rows`` at a time by column, as an array of numbers or as texts, and the rows."""
+        """Yield, for ``rows`` rows at a time, the cells by column (numbers or texts) and the row numbers."""
         for chunk in self.chunks(rows, 0):
             yield [chunk.cells(place) for place in range(len(self.headings))], chunk.lines
 
     def progress(self) -> float:
-        """Return which part of the file has been read, 0 to 1."""
+        """Return the share of the file that has been read, 0 to 1."""
         return self._read / self._rows if self._rows else 1.0
 
     @property
@@ -100,7 +100,7 @@ class ParquetReader:
 
 
 class ParquetForm:
-    """Launches written to Parquet, a row group a chunk. See :class:`clubface.shots.tables.writer.Form`."""
+    """Launches written to Parquet, one row group per chunk. See :class:`clubface.shots.tables.writer.OutputFormat`."""
 
     def __init__(
         self, path: Path, headings: Sequence[str], types: Sequence[Any], results: Sequence[str], provenance: Any
@@ -129,7 +129,7 @@ class ParquetForm:
 
 
 def write_parquet(columns: Mapping[str, Any], file: BinaryIO, path: Path) -> None:
-    """Write a whole table to the ``file`` that will be ``path``; NaN becomes null."""
+    """Write a table to ``file``, which will be renamed to ``path``; NaN becomes null."""
     arrow = pyarrow_for(path)
     arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
     arrow.parquet.write_table(arrow.table(arrays), file)

@@ -1,7 +1,7 @@
 """Tables read a chunk at a time, every row with the line at which it begins: CSV in any encoding, Excel, Parquet.
 
-The kind of a file is decided by its content, not by its name. Unicode is recognised by its mark or its zero bytes; any
-other encoding is the one that makes words of the bytes. Only this module needs openpyxl.
+The kind of a file is decided by its content, not by its name. Unicode is recognised by its byte order mark or its zero
+bytes; any other encoding is the one in which the bytes form words. Only this module needs openpyxl.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ from clubface.support.checks import without_foreign_warnings
 from clubface.support.files import open_input
 
 SAMPLE = 1 << 18
-"""Bytes that decide the encoding of what is not UTF-8."""
+"""Number of bytes used to find the encoding of text that is not UTF-8."""
 IN_MEMORY = 1 << 25
-"""Bytes of text transcoded to UTF-8 that are held in memory; more go to a temporary file."""
+"""Maximum size of transcoded text held in memory [bytes]; more goes to a temporary file."""
 NAMES = {
     "cp1252": "Windows-1252", "mac_roman": "Mac Roman", "cp932": "Shift-JIS", "gb18030": "GBK", "big5": "Big5",
     "cp949": "EUC-KR", "utf-16-le": "UTF-16", "utf-16-be": "UTF-16", "utf-32-le": "UTF-32", "utf-32-be": "UTF-32",
 }  # fmt: skip
-"""The encodings that are read besides UTF-8, as people call them."""
+"""Encodings read besides UTF-8, with their common names."""
 FALLBACK = "cp1252"
 
 _MARKS = (
@@ -64,19 +64,19 @@ _EVERYDAY: Mapping[str, re.Pattern[str]] = {
     "cp1252": _LATIN,
     "mac_roman": _LATIN,
 }
-"""Characters that tables of golf shots hold, by encoding: text of another encoding gives others.
+"""Characters typical of tables of golf shots, by encoding; a wrong encoding gives other characters.
 
-Of encodings that fit as well the first counts: what makes everyday words of two bytes each does so by no accident.
+If several encodings fit equally well, the first counts, as two-byte characters do not form everyday words by accident.
 """
 LARGEST_CHUNK = 64_000_000
-"""Characters of text after which a chunk ends early, so that long rows do not fill the memory."""
+"""Number of characters after which a chunk ends early, so that long rows do not fill the memory."""
 
 
 def unicode_by_bytes(start: bytes) -> tuple[str, int]:
     """Return the Unicode encoding of a text from its first bytes, and the length of its byte order mark.
 
-    Text without a mark is UTF-16 where every other byte of some of it is zero, as in digits and commas, and few of the
-    bytes between are; else UTF-8, which it need not be in the end.
+    Text without a mark is UTF-16 if many even or odd bytes are zero, as for digits and commas, and few of the others;
+    otherwise it is provisionally UTF-8.
     """
     for mark, encoding in _MARKS:
         if start.startswith(mark):
@@ -90,7 +90,7 @@ def unicode_by_bytes(start: bytes) -> tuple[str, int]:
 
 
 def as_utf8(file: BinaryIO, encoding: str, path: str) -> BinaryIO:
-    """Return a file with the rest of the text of another, in UTF-8."""
+    """Return a file with the remaining text of another, in UTF-8."""
     decoder = codecs.getincrementaldecoder(encoding)()
     text = tempfile.SpooledTemporaryFile(IN_MEMORY)  # noqa: SIM115 - it is returned open
     try:
@@ -106,9 +106,9 @@ def as_utf8(file: BinaryIO, encoding: str, path: str) -> BinaryIO:
 
 
 def encoding_of(text: bytes) -> str:
-    """Return the encoding, other than UTF-8, in which a text holds most characters that tables of shots hold.
+    """Return the encoding, other than UTF-8, in which a text has most characters typical of tables of shots.
 
-    It must decode the whole text, and half of the characters that are not ASCII must be such; else it is Windows-1252.
+    It must decode the whole text, and half of the non-ASCII characters must be typical; else it is Windows-1252.
     """
     scores = {name: _score(text, name) for name in _EVERYDAY}
     best = max(scores, key=lambda name: scores[name])
@@ -116,7 +116,7 @@ def encoding_of(text: bytes) -> str:
 
 
 def _score(text: bytes, encoding: str) -> float:
-    """Return the part of the characters beyond ASCII that are everyday ones; -1 where the text has another encoding."""
+    """Return the share of non-ASCII characters that are typical; -1 if the text cannot be decoded."""
     try:
         beyond = re.sub(r"[\x00-\x7f]+", "", text.decode(encoding))
     except UnicodeDecodeError:
@@ -125,11 +125,11 @@ def _score(text: bytes, encoding: str) -> float:
 
 
 LONGEST_LINE = 2_000_000
-"""Bytes; a longer line is no row of a table."""
+"""Maximum length of a line [bytes]."""
 MOST_CELLS = 2000
-"""Of a row; the widest exports have some hundred columns."""
+"""Maximum number of cells in a row; the widest exports have some hundred columns."""
 DECIMAL_ROWS = 200
-"""Rows that tell how numbers are written."""
+"""Number of rows inspected to find out how numbers are written."""
 
 Row = tuple[list[str], int, str]
 """The cells of a row, the line it begins at, and its text."""
@@ -138,9 +138,9 @@ Row = tuple[list[str], int, str]
 class CsvRows:
     """The rows of a CSV file, with commas, semicolons, tabs or bars between cells.
 
-    The delimiter, unless given, is what most of the first ``head_lines`` lines have that are not blank; with more than
-    one, a first line such as ``sep=;`` names it. ``blank`` counts the blank lines passed over so far, and ``encoding``
-    is what the text is instead of UTF-8, as far as it is read, as people call it; else None.
+    The default delimiter is the one in most of the first ``head_lines`` non-blank lines; a first line such as ``sep=;``
+    can also set it. ``blank`` counts the blank lines skipped so far, and ``encoding`` is the common name of an encoding
+    other than UTF-8, if one has been found so far.
     """
 
     def __init__(self, path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> None:
@@ -158,7 +158,7 @@ class CsvRows:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Remarks on the rows, as far as they are read."""
+        """Notes on the rows read so far."""
         return (note("not-utf-8", encoding=self.encoding),) if self.encoding else ()
 
     def _start(self, path: Path, head_lines: int, delimiter: str | None) -> None:
@@ -186,7 +186,7 @@ class CsvRows:
         self._before = self._line
 
     def _first_line(self) -> tuple[int, bytes]:
-        """Return the next line that is not blank and where it begins."""
+        """Return the next line that is not blank, and its line number."""
         first = self._file.tell()
         head = self._file.readline(LONGEST_LINE)
         while head and not head.strip():
@@ -204,7 +204,7 @@ class CsvRows:
         self._file.close()
 
     def _decoded(self, line: int) -> Iterator[str]:
-        """Yield the lines as text; what is not UTF-8 is in the encoding that makes words of it."""
+        """Yield the lines as text, in UTF-8 or the encoding found for the file."""
         for raw in iter(partial(self._file.readline, LONGEST_LINE), b""):
             line += 1
             if len(raw) >= LONGEST_LINE:
@@ -219,7 +219,7 @@ class CsvRows:
             yield text
 
     def _decide_codec(self, raw: bytes) -> str:
-        """Decide the encoding of a line that is not UTF-8, by it and the next lines, and return it."""
+        """Find the encoding from a line that is not UTF-8 and the next ones, and return it."""
         here = self._file.tell()
         more = self._file.read(SAMPLE)
         self._file.seek(here)
@@ -228,7 +228,7 @@ class CsvRows:
         return self._codec
 
     def _check_row(self, text: str) -> None:
-        """Refuse a row, as far as it is read, that no table of shots has: its cells would fill the memory."""
+        """Raise an error for a row too large for a table of shots, before its cells fill the memory."""
         self._cells += text.count(self.delimiter)
         self._length += len(text)
         if self._cells >= MOST_CELLS:
@@ -240,7 +240,7 @@ class CsvRows:
         raise FileError(self.path, self._begins, f"{message}: this is not a table of shots")
 
     def next(self) -> Row | Reject | None:
-        """Return the next row that is not blank and the line it begins at; one that is no CSV, all its text."""
+        """Return the next row that is not blank, with line and text; for invalid CSV, a reject with all its text."""
         while True:
             self._begins = begins = self._before + self._reader.line_num + 1
             self._raw.clear()
@@ -266,9 +266,9 @@ class CsvRows:
 
 
 def delimiter_of(lines: Sequence[str]) -> str:
-    """Return the delimiter that most lines have, outside quotes, and of such the one most frequent in a line.
+    """Return the delimiter in most lines, outside quotes; among equals, the most frequent one in a line.
 
-    A decimal comma may be in every row, and more than once for each delimiter, but not in the header.
+    Decimal commas may be more frequent than the delimiter in every row, but not in the header.
     """
     plain = ["".join(line.split('"')[::2]) for line in lines]
     counts = {each: [line.count(each) for line in plain] for each in ",;\t|"}
@@ -276,13 +276,13 @@ def delimiter_of(lines: Sequence[str]) -> str:
 
 
 LARGEST, LARGEST_PART = 1_000_000_000, 100_000_000
-"""Bytes of a workbook once it is unpacked, and of each part but the sheets, which are read a row at a time."""
+"""Maximum unpacked size of a workbook [bytes], and of each part except sheets, which are read row by row."""
 SEARCHED = 200
-"""First rows of a sheet among which its table begins."""
+"""Number of rows within which the table of a sheet must begin."""
 
 
 class WorkbookRows:
-    """The rows of the first sheet with a table, numbers as text with a decimal point. See :class:`CsvRows`."""
+    """The rows of the first sheet with a table, with numbers as text with a decimal point. See :class:`CsvRows`."""
 
     delimiter = ","
     encoding: str | None = None
@@ -322,7 +322,7 @@ class WorkbookRows:
         self._line = 0
 
     def next(self) -> Row | Reject | None:
-        """Return the next row that is not blank, its number, and its cells as a line of CSV."""
+        """Return the next row that is not blank, with its number and its cells as a CSV line."""
         for cells in self._rows:
             self._line += 1
             if any(cells):
@@ -331,7 +331,7 @@ class WorkbookRows:
         return None
 
     def progress(self) -> float:
-        """Return which part of the sheet has been read, 0 to 1."""
+        """Return the share of the sheet that has been read, 0 to 1."""
         return min(1.0, self._line / self._count)
 
     def close(self) -> None:
@@ -350,7 +350,7 @@ class WorkbookRows:
         return False
 
     def _cells(self, sheet: Any) -> Iterator[list[str]]:
-        """Yield the rows of a sheet, all as wide as its widest named row so far, without empty cells beyond it."""
+        """Yield the rows of a sheet, padded to its widest named row so far, without empty cells beyond."""
         width = 0
         try:
             sheet.reset_dimensions()  # programs write wrong ones
@@ -376,7 +376,7 @@ class WorkbookRows:
 
 
 def _text(value: object) -> str:
-    """Return the value of a cell as a CSV file has it."""
+    """Return the value of a cell as CSV text."""
     match value:
         case None:
             return ""
@@ -395,12 +395,12 @@ RowSource = CsvRows | WorkbookRows
 
 
 def open_rows(path: Path, *, head_lines: int = 1, delimiter: str | None = None) -> RowSource:
-    """Open the rows of a file; the options are those of :class:`CsvRows` and hold for text."""
+    """Open the rows of a file; the options, as for :class:`CsvRows`, apply to text."""
     return WorkbookRows(path) if is_workbook(path) else CsvRows(path, head_lines=head_lines, delimiter=delimiter)
 
 
 class CsvReader:
-    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook; its rows go by their lines."""
+    """A CSV file, with commas, semicolons, tabs or bars between cells, or a workbook, read in chunks of rows."""
 
     counts = "line"
 
@@ -427,16 +427,16 @@ class CsvReader:
 
     @property
     def blank(self) -> int:
-        """Blank lines passed over so far."""
+        """Number of blank lines skipped so far."""
         return self._rows.blank
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Remarks on the file, as far as it is read."""
+        """Notes on the file, as far as it has been read."""
         return (*self._rows.notes, *([doubt(self._doubtful)] if self._doubtful else []))
 
     def chunks(self, rows: int, skip: int) -> Iterator[Chunk]:
-        """Yield the rows after the first ``skip``, some ``rows`` at a time."""
+        """Yield chunks of ``rows`` rows, after skipping the first ``skip``."""
         width = len(self.headings)
         passed = 0
         at_end = False
@@ -476,7 +476,7 @@ class CsvReader:
 
     @property
     def types(self) -> list[None]:
-        """The Arrow types of the columns; None for text."""
+        """Arrow types of the columns; None for text."""
         return [None] * len(self.headings)
 
     def close(self) -> None:
@@ -485,7 +485,7 @@ class CsvReader:
 
 
 Reader = CsvReader | ParquetReader
-"""A file that is read a chunk at a time."""
+"""A table read in chunks."""
 
 
 def open_table(path: Path) -> Reader:

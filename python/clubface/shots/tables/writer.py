@@ -1,4 +1,4 @@
-"""Launches and other tables to CSV and Parquet files."""
+"""Writing launches and other tables to CSV and Parquet files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 KINDS = (".csv", ".tsv", *PARQUET)
-"""How the name of a table may end."""
+"""Endings of table file names."""
 DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
 
@@ -36,7 +36,7 @@ class OutputFormat(Protocol):
 
 
 class CsvForm:
-    """Launches written as CSV, cells and decimals as in the file they come from. See :class:`Form`."""
+    """Launches written as CSV, with cells and decimals as in the source file. See :class:`OutputFormat`."""
 
     def __init__(self, headings: Sequence[str], delimiter: str, decimal_comma: bool) -> None:
         self._headings = headings
@@ -61,7 +61,7 @@ class CsvForm:
 
 
 class RejectsForm:
-    """The rows that cannot be used, each with its line and the reason."""
+    """Rejected rows, each with its line and reason."""
 
     def __init__(self, headings: Sequence[str], delimiter: str, counts: str) -> None:
         self._headings = [counts, "reason", *headings]
@@ -78,7 +78,7 @@ class RejectsForm:
 
 
 def put_together(file: BinaryIO, pieces: Iterable[Path]) -> None:
-    """Write the content of some files one after the other."""
+    """Write the contents of some files one after another."""
     for path in pieces:
         try:
             piece = path.open("rb")
@@ -96,26 +96,26 @@ def csv_lines(rows: Iterable[Sequence[Any]], delimiter: str) -> bytes:
 
 
 def delimiter_of(path: Path) -> str:
-    """Return what parts the cells of a text file: a tab in .tsv, else a comma."""
+    """Return the delimiter of a text file: a tab for .tsv, else a comma."""
     return "\t" if path.suffix.lower() == ".tsv" else ","
 
 
 def number_cells(values: NDArray[Any]) -> list[str]:
-    """Return numbers as cells with ``DIGITS`` significant digits, NaN as empty ones."""
+    """Return numbers as cells with ``DIGITS`` significant digits; NaN gives an empty cell."""
     return ["" if value != value else f"{value:.{DIGITS}g}" for value in values.tolist()]
 
 
 def is_parquet(path: Path) -> bool:
-    """Tell from the ending whether to write Parquet or CSV; another ending is an error."""
+    """Return whether a file name ends as Parquet, or False for CSV; raise an error for another ending."""
     if path.suffix.lower() not in KINDS:
         raise FileError(str(path), None, f"the name must end in {' or '.join(KINDS)}")
     return path.suffix.lower() in PARQUET
 
 
 def write_columns(columns: Mapping[str, Any], path: Path) -> None:
-    """Write a whole table to a CSV or Parquet file, by its ending, which has its name only once it is complete.
+    """Write a table to a CSV or Parquet file, by its ending; the file appears only when it is complete.
 
-    Numbers that are NaN become empty cells; there are no others.
+    NaN becomes an empty cell.
     """
     parquet = is_parquet(path)
     with whole_file(path) as file:

@@ -1,1 +1,1 @@
-"""What studies compute: the interface of a kind, and a module for each."""
+"""Kinds of studies: their interface, and a module for each."""

@@ -1,4 +1,4 @@
-"""Studies of motion capture: errors of the readings of synthetic swings whose truth is known, in any laboratory."""
+"""Studies of motion capture: errors for synthetic swings with known truth, in any laboratory."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from clubface.support.checks import MOST_SEED
 COUNTED = Swept("1", limits=(0, MOST_SEED))
 UNITS = {"rate": "1", "noise": "m", "gaps": "1", "gap": "1", "roughness": "1"}
 NUMBERS = {"swing": COUNTED, "seed": COUNTED, **{name: Swept(unit) for name, unit in UNITS.items()}}
-"""What may be given or swept: which swing, and the laboratory; the rate is a number of frames a second."""
+"""Inputs that may be fixed or swept: the swing and the laboratory; the rate is in frames per second."""
 NAMES = ("club", "hand", "estimator")
 OF_CAMERAS = ("rate", "noise", "gaps", "gap")
 

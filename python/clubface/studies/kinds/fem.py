@@ -1,4 +1,4 @@
-"""Studies by finite elements: cases as of ``clubface fem run``, and tests of meshed heads over faces and designs."""
+"""Finite element studies: cases as in ``clubface fem run``, and tests of meshed heads over faces and designs."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ from clubface.support.files import input_file, path_of, resolve_name
 from clubface.support.renamed import warn_renamed
 
 PIECES: KeyPath = ("pieces",)
-"""The list of tables that go by their own names alone."""
+"""The list of tables addressed only by their own names."""
 NOT_SWEPT = ("kind", "law")
-"""Choices that decide which other keys there are."""
+"""Choices that determine which other keys exist."""
 
 
 SETTINGS = {"duration": "s", "interval": "s", "safety": "1", "bulk_viscosity": "1"}
-"""Units of the numbers among the settings."""
+"""Units of the numeric settings."""
 CONTACT = {
     "peak_force": Column("N", "largest force between ball and face"),
     "peak_force_time": Column("s", "when it is reached"),
@@ -79,7 +79,7 @@ HISTORIES: Histories = {
         "plastic": Column("J", "energy that became heat in metal that yields"),
     },
 }  # fmt: skip
-"""What a study of cases may keep of every run over time."""
+"""Histories that a study of cases may keep."""
 NAMED = ("ball", "club")
 USUAL_OF_CASES = (
     "ball_speed", "launch", "backspin", "sidespin", "normal_velocity", "tangential_velocity", "peak_force",
@@ -89,14 +89,14 @@ USUAL_OF_CASES = (
 
 @dataclass(frozen=True)
 class FileKey:
-    """A key of a file that may be swept: where it stands, and the kind of its value."""
+    """A sweepable key of a file: its path and schema."""
 
     path: KeyPath
     kind: Value
 
     @property
     def swept(self) -> Swept:
-        """What it is as an input of a study."""
+        """Description of the key as an input of a study."""
         if isinstance(self.kind, PhysicalValue):
             return Swept(units.SI_UNITS[self.kind.dimension])
         if isinstance(self.kind, Choice):
@@ -105,24 +105,24 @@ class FileKey:
         return Swept("1", limits=(schema.get("minimum", 0), schema.get("maximum", 10**6)))
 
     def written(self, value: float | str) -> float | int | str:
-        """Return a value as the file would hold it: in SI."""
+        """Return a value in the form used in the file, in SI."""
         counted = not isinstance(value, str) and not isinstance(self.kind, PhysicalValue)
         return int(value) if counted else value
 
 
 @dataclass(frozen=True)
 class VariedFile:
-    """A file some of whose values are swept.
+    """A file with swept values.
 
     Attributes
     ----------
     document
         The file.
     table
-        The kind of its content.
+        Schema of its content.
     group
-        What stands before the name of a key at its top, as in ``ball_cube``. Keys of its tables are named by table and
-        key, as in ``thickness_face_centre`` and ``trims_toe_x``, and those of pieces by their name, as in ``core_c10``.
+        Prefix of top-level keys, as in ``ball_cube``. Keys in tables are named by table and key, as in
+        ``thickness_face_centre`` and ``trims_toe_x``, and keys of pieces by the piece, as in ``core_c10``.
     """
 
     document: Document
@@ -131,11 +131,11 @@ class VariedFile:
 
     @cached_property
     def keys(self) -> Mapping[str, FileKey]:
-        """The keys by name: those that the file holds, and those that it may hold at its top and in its tables."""
+        """Keys by name: those in the file, and those allowed at its top level and in its tables."""
         return {"_".join(name): key for name, key in _leaves(self.table, self.document.data, (), (self.group,))}
 
     def with_values(self, values: Mapping[str, float | str]) -> Document:
-        """Return the document with some of its keys changed, by name; a number is SI."""
+        """Return the document with some keys changed, by name; numbers are in SI."""
         data = copy.deepcopy(self.document.data)
         for name, value in values.items():
             if name not in self.keys:
@@ -159,7 +159,7 @@ def _leaves(kind: Value, given: Any, path: KeyPath, name: tuple[str, ...]) -> It
         table = given if isinstance(given, Mapping) else {}
         for key, each in _kinds(kind, table).items():
             nested = isinstance(each, Tables | Table | Record)
-            # A table of a dataclass has what its keys are without a file; others lack what they do not hold.
+            # A dataclass table knows its keys without a file; other tables only have the keys present.
             if key in table or isinstance(kind, Table) or (len(path) == 1 and not nested and given is not None):
                 inner = (key,) if nested and not path else (*name, key)
                 yield from _leaves(each, table.get(key), (*path, key), inner)
@@ -170,7 +170,7 @@ def _leaves(kind: Value, given: Any, path: KeyPath, name: tuple[str, ...]) -> It
 
 
 def _kinds(kind: Table | Record, given: Mapping[str, Any]) -> Mapping[str, Value]:
-    """Return the kinds of the keys of a table."""
+    """Return the schemas of the keys of a table."""
     if isinstance(kind, PieceRecord):
         return kind.key_types(given)
     if isinstance(kind, Record):
@@ -179,12 +179,12 @@ def _kinds(kind: Table | Record, given: Mapping[str, Any]) -> Mapping[str, Value
 
 
 def swept_keys(files: Iterable[VariedFile]) -> dict[str, Swept]:
-    """Return what may be swept of some files, by name."""
+    """Return the sweepable keys of some files, by name."""
     return {name: key.swept for each in files for name, key in each.keys.items()}
 
 
 def short_names(full: Iterable[str], taken: Iterable[str]) -> dict[str, str]:
-    """Return what goes by a shorter name too, such as ``ball_cube`` by ``cube``: where no other has that name."""
+    """Return unambiguous shorter names, such as ``cube`` for ``ball_cube``."""
     longer: dict[str, list[str]] = {}
     for name in full:
         parts = name.split("_")
@@ -195,7 +195,7 @@ def short_names(full: Iterable[str], taken: Iterable[str]) -> dict[str, str]:
 
 
 def _swept_of_runs() -> dict[str, Swept]:
-    """Return what may be swept of every case: its delivery, friction, settings, and ball and club by name."""
+    """Return the sweepable inputs of every case: delivery, friction, settings, and ball and club by name."""
     keys = dict.fromkeys(key for head in HEADS for key in delivery_keys(head))
     delivered = {name: Swept(inputs()[name].unit if name in inputs() else "rad") for name in keys}
     own = {"friction": Swept("1"), **{name: Swept(unit) for name, unit in SETTINGS.items()}}
@@ -212,7 +212,7 @@ def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
 
 
 def _with_files(known: Mapping[str, Swept], files: Iterable[VariedFile | None]) -> dict[str, Swept]:
-    """Return what may be swept with the keys of files, which also go by shorter names that nothing else has."""
+    """Return the sweepable inputs extended by keys of files, under full and unambiguous shorter names."""
     own = swept_keys(each for each in files if each is not None)
     short = {name: own[full] for name, full in short_names(own, {*known, *own}).items()}
     return {**short, **own, **known}
@@ -220,23 +220,23 @@ def _with_files(known: Mapping[str, Swept], files: Iterable[VariedFile | None]) 
 
 @dataclass(frozen=True)
 class CaseFiles:
-    """The files of a case: what it names as its ball, and the design of its head where it is a meshed one."""
+    """The files of a case: its ball, and the design of its head if it is meshed."""
 
     document: Document
     case: Case
 
     @classmethod
     def read(cls, source: Any) -> CaseFiles:
-        """Return the files of a case by its name or path."""
+        """Return the files of a case, given by name or path."""
         path = path_of("case of finite elements", source, CASES_FOLDER)
         return cls(Document.read(path), Case.from_toml(path))
 
     def ball(self, name: Any = None) -> VariedFile:
-        """Return the file of the ball, or of another one by its name or path."""
+        """Return the file of the ball, or of another ball by name or path."""
         return _ball_file(self._resolved(self.document.data["ball"]) if name is None else name)
 
     def head(self, name: Any = None) -> VariedFile | None:
-        """Return the file of the meshed head, or of another one; None for a plane and for a club."""
+        """Return the file of the meshed head, or of another head; None for a plane or a club."""
         head = self.document.data["head"]
         named = head.get("club") if head.get("kind") == MESHED else head.get("meshed")
         if named is None:
@@ -259,14 +259,14 @@ def _head_file(name: Any) -> VariedFile:
 
 
 class Variation:
-    """What a task changes in files: values by name, with shorter names made whole.
+    """The changes of a task in files: values by full name.
 
     Parameters
     ----------
     study
         The study.
     files
-        The files that it may vary.
+        The files it may change.
     known
         Names of other inputs.
     """
@@ -282,7 +282,7 @@ class Variation:
     def of(
         self, file: VariedFile, task: Mapping[str, Any], others: Iterable[VariedFile]
     ) -> tuple[tuple[str, Any], ...]:
-        """Return what a task changes in a file: all but what belongs to the ``others`` alone."""
+        """Return the changes of a task in a file, without those that belong only to the ``others``."""
         elsewhere = {name for each in others for name in each.keys} - {*file.keys}
         changes = ((full, task[name]) for name, full in self.names.items() if name in task)
         return tuple((full, value) for full, value in changes if full not in elsewhere)
@@ -340,7 +340,7 @@ def _case_task(study: DescribedStudy) -> OneByOne:
 
 
 def _history(impact: Impact, name: str) -> dict[str, Any]:
-    """Return a history of a run, vectors as three columns each."""
+    """Return a history of a run, with three columns for each vector."""
     columns: dict[str, Any] = {}
     for known, values in getattr(impact, name).items():
         along = (
@@ -351,7 +351,7 @@ def _history(impact: Impact, name: str) -> dict[str, Any]:
 
 
 def _varied(base: Case, task: Mapping[str, Any]) -> Case:
-    """Return a case with what a task sweeps, ball and club as such."""
+    """Return a case with the swept inputs of a task."""
     changes = {name: each for name, each in task.items() if name not in SETTINGS}
     settings = {"threads": 1, **{name: task[name] for name in SETTINGS if name in task}}
     return base.replace(settings=settings, **changes)
@@ -365,8 +365,8 @@ PLACE = {
     "toe": "m", "high": "m", "speed": "m/s", "striker_speed": "m/s", "impact_speed": "m/s", "friction": "1",
     "safety": "1", "blow": "m/s",
 }  # fmt: skip
-"""Units of where a head is struck, of the speeds of ball, striker and club, and of what else the tests take;
-``blow`` is the old name of ``impact_speed``."""
+"""Units of impact point, speeds of ball, striker and club, and other inputs of the tests; ``blow`` is the old name of
+``impact_speed``."""
 COLUMNS = {
     "restitution": Column("1", "coefficient of restitution of ball and free head"),
     "characteristic_time": Column("s", "time in which the face throws back a small steel sphere"),

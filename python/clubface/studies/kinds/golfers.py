@@ -1,4 +1,4 @@
-"""Studies of golfers: where their shots go, and the best club as a bound, a golfer, a hole or the air changes."""
+"""Studies of golfers: dispersion, and optimisation with changing bounds, golfers, holes or air."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ HOLE = ("length", "fairway", "rough", "green")
 
 
 def swept_golfers() -> dict[str, Swept]:
-    """Return what of golfers and holes may be swept: means and spreads of their deliveries, mishits, and lengths."""
+    """Return the sweepable inputs of golfers and holes: means and spreads, mishits, and lengths."""
     swept = {f"{part}_{name}": Swept(inputs()[name].unit) for part in ("mean", "spread") for name in OF_CLUB}
     swept |= {name: Swept("1") for name in ("spread_factor", "mishit_share", "mishit_scale")}
     return swept | {f"hole_{name}": Swept("m") for name in HOLE} | {"golfer": Swept(None)}
 
 
 def changed_golfer(golfer: Golfer, task: Mapping[str, Any]) -> Golfer:
-    """Return a golfer with the figures that a task sweeps; correlations stay.
+    """Return a golfer with the swept figures of a task; correlations do not change.
 
     Raises
     ------
     InputError
-        The golfer does not vary what is swept, or a figure is out of its range.
+        The golfer does not have the swept variable, or a figure is out of range.
     """
     mean, spread = np.array(golfer.mean), np.array(golfer.spread)
     for place, name in enumerate(golfer.variables):
@@ -63,14 +63,14 @@ def changed_golfer(golfer: Golfer, task: Mapping[str, Any]) -> Golfer:
     mishits = {name: task[name] for name in ("mishit_share", "mishit_scale") if name in task}
     if not mishits and (spread == golfer.spread).all() and (mean == golfer.mean).all():
         return golfer
-    # What is not swept keeps its bits.
+    # Figures that are not swept stay identical, bit for bit.
     same = (spread == golfer.spread)[:, None] & (spread == golfer.spread)
     covariance = np.where(same, golfer.covariance, correlation * np.outer(spread, spread))
     return golfer.replace(mean=mean, covariance=covariance, **mishits)
 
 
 def changed_hole(hole: Hole | None, task: Mapping[str, Any]) -> Hole | None:
-    """Return a hole with the lengths that a task sweeps; a swept length alone makes one."""
+    """Return a hole with the swept lengths of a task; a swept length is enough to create one."""
     changes = {name: task[f"hole_{name}"] for name in HOLE if f"hole_{name}" in task}
     if not changes:
         return hole
@@ -81,7 +81,7 @@ def changed_hole(hole: Hole | None, task: Mapping[str, Any]) -> Hole | None:
 
 PERCENTILES = (10, 50, 90)
 SHARE = 90
-"""Percent of the landings that the ellipse holds, unless given."""
+"""Default percentage of landings inside the ellipse."""
 USUAL = (
     "carry_mean", "carry_deviation", "side_mean", "side_deviation", "total_mean", "total_deviation", "ball_speed_mean",
     "ellipse_area", "lost",
@@ -178,14 +178,14 @@ DISPERSIONS = Kind(
 
 ENDS = ("least", "most")
 READERS: Mapping[str, Callable[[Any], Any]] = {"golfer": golfer_of, "club": club_of, "ball": ball_of}
-"""What is named by a file or by a name, and what reads it."""
+"""Readers of inputs given by name or file."""
 NAMED = (*READERS, "model")
 COUNTED = ("shots", "seed", "starts")
-"""The numbers of ``COUNTS`` that may be swept."""
+"""Counts in ``COUNTS`` that may be swept."""
 
 
 def _swept_optimisations(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    """Return both ends of every bound and limit, figures of golfers and holes, the conditions, and what has names."""
+    """Return the sweepable inputs: ends of bounds and limits, figures of golfers and holes, conditions, and names."""
     known = {**JUDGED, **UNITS}
     bounds = {f"variables_{name}_{end}": Swept(_unit(known[name])) for name in FREE for end in ENDS}
     limits = {f"limits_{name}_{end}": Swept(_unit(each)) for name, each in known.items() for end in ENDS}
@@ -196,7 +196,7 @@ def _swept_optimisations(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> 
 
 
 def _unit(shown: str) -> str:
-    """Return the unit of SI of what is shown in a unit."""
+    """Return the SI unit with the dimension of a unit."""
     return units.SI_UNITS[units.unit(shown).dimension]
 
 
@@ -235,7 +235,7 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
 
 
 def changed_study(study: DesignStudy, task: Mapping[str, Any]) -> DesignStudy:
-    """Return an optimisation with what a task sweeps, those of ``READERS`` read; golfers change all in the same way."""
+    """Return an optimisation with the swept inputs of a task; all golfers change in the same way."""
     ends = {"variables": dict(study.bounds), "limits": dict(study.limits)}
     for name, value in task.items():
         table, _, rest = name.partition("_")

@@ -1,6 +1,6 @@
-"""Studies of impacts: one shot or two at every input that is swept, the best loft for it, and face maps.
+"""Studies of impacts: one shot, or two compared, for every swept input; the best loft for carry; and face maps.
 
-The kind ``empty`` computes next to nothing, by which overhead is measured.
+The kind ``empty`` computes next to nothing and serves to measure overhead.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from clubface.support.checks import without_warnings
 USUAL = ("ball_speed", "launch", "azimuth", "backspin", "sidespin", "carry", "side", "total")
 """The quantities kept by default."""
 OTHER = "other"
-"""The table of what is different in the second shot."""
+"""The table with the changes in the second shot."""
 
 
 class Impacts:
@@ -67,7 +67,7 @@ class Impacts:
         return Computed(columns, sorted(failed), tally.counts())
 
     def _shots(self, names: Mapping[str, str], values: Mapping[str, NDArray[Any]]) -> tuple[Any, Any]:
-        """Return launches and flights, None where none are asked for, with what has names held."""
+        """Return launches and flights (None if not needed), for fixed names."""
         options = self._shot_inputs.equipped(names, values)
         with without_warnings(RangeWarning), without_warnings(RuleWarning):
             launch = impact(
@@ -79,7 +79,7 @@ class Impacts:
 
 
 def _alike(codes: Mapping[str, NDArray[Any]], count: int) -> list[tuple[dict[str, int], Any]]:
-    """Return each combination of names that occurs, and its rows."""
+    """Return each occurring combination of names, with its rows."""
     if not codes:
         return [({}, slice(None))]
     rows, rows_of = np.unique(np.stack([*codes.values()], axis=1), axis=0, return_inverse=True)
@@ -129,7 +129,7 @@ BEST_LOFTS = Kind(name="best-loft", keys={**KEYS, "outputs": OUTPUTS}, swept=_sw
 
 
 class Empty:
-    """The square of one input, after a time of work that the study asks for.
+    """The square of one input, after a given amount of work.
 
     See :class:`clubface.studies.kinds.kind.Task`.
     """
@@ -145,7 +145,7 @@ class Empty:
         self.depends_on = {}
 
     def run(self, indices: range) -> Computed:
-        """Square the inputs, and work on for the time that was asked for."""
+        """Square the inputs, and keep working for the given time."""
         ends = time.thread_time() + self._seconds * len(indices)
         (x,) = self._design.values(indices).values()
         while time.thread_time() < ends:
@@ -178,7 +178,7 @@ def _first(study: DescribedStudy) -> DescribedStudy:
 
 
 def _second(study: DescribedStudy) -> DescribedStudy:
-    """Return the second shot: what it has itself is not swept in it."""
+    """Return the study of the second shot; inputs that it sets itself are not swept."""
     other = study.table.get(OTHER)
     if not other:
         raise InputError(OTHER, other, 'a table of what is different, as in other = { club = "3-wood" }')
@@ -240,7 +240,7 @@ COMPARISONS = Kind(
 
 
 PLACE = {"spread_toe": "m", "spread_high": "m", "about_toe": "m", "about_high": "m", "share": "1"}
-"""Unit of what says how impacts scatter, about which point, and which share of the best ball speed counts."""
+"""Units of the scatter of impacts, its centre, and the share of the best ball speed."""
 FACE = {
     "face_area": Column("m2", "area of the face"),
     "area": Column("m2", "area on which the ball speed is at least a share of the best, 0.98 unless given"),

@@ -1,8 +1,8 @@
-"""The interface of kinds of studies, and tasks computed one after the other.
+"""The interface of kinds of studies, and tasks computed one by one.
 
-A study names its kind, gives it a table of its own, and sweeps what the kind says may be swept. From the study the kind
-makes a task, whose columns at any index follow from the study and the index alone. Another kind is a ``Kind`` in a
-module next to this one, and a line in ``KINDS`` of :mod:`clubface.studies.study`.
+A study names its kind, gives it a table, and sweeps inputs that the kind allows. From the study the kind makes a task,
+whose columns at any index depend only on the study and the index. To add a kind, write a ``Kind`` in a module next to
+this one and add a line to ``KINDS`` in :mod:`clubface.studies.study`.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ __all__ = ["Column", "Computed", "DescribedStudy", "Histories", "Kind", "Task"]
 
 T = TypeVar("T")
 TASK = "task"
-"""The column of a history that holds the index of the task."""
+"""Name of the history column with the task index."""
 
 
 class Column(NamedTuple):
-    """A column that a task computes: its SI unit ("1" for none), and its meaning in one line."""
+    """A computed column: SI unit ("1" for none), and meaning in one line."""
 
     unit: str
     meaning: str
@@ -44,19 +44,19 @@ NO_HISTORIES: Histories = {}
 
 
 class Computed(NamedTuple):
-    """What a task computes at some indices.
+    """The results of a task at some indices.
 
     Attributes
     ----------
     columns
-        Numbers by name [SI], float64, shape (indices,); NaN where there is no result.
+        Numbers by name [SI], float64, shape (indices,); NaN without a result.
     failed
-        The indices without a result, and why; rising.
+        Indices without a result, in increasing order, and the reasons.
     outside
-        The shots outside the range of their model, as :meth:`clubface.simulation.impact.Tally.counts` tells them.
+        Shots outside the model's range, as from :meth:`clubface.simulation.impact.Tally.counts`.
     histories
-        The histories that the study keeps, by name: columns [SI] of equal length, the index of the task, ``task``,
-        among them; tasks without a result have none.
+        Histories kept by the study, by name: columns [SI] of equal length, including the task index, ``task``; tasks
+        without a result have none.
     """
 
     columns: Mapping[str, NDArray[Any]]
@@ -66,22 +66,22 @@ class Computed(NamedTuple):
 
 
 class Task(Protocol):
-    """What is computed: its columns and histories, and what besides study and version may change bits of them."""
+    """A computation: columns, histories, and what else may change their last bits besides study and version."""
 
     columns: Mapping[str, Column]
     histories: Histories
     depends_on: Mapping[str, str]
 
     def run(self, indices: range) -> Computed:
-        """Compute consecutive indices on one thread; the result must not depend on which are computed together."""
+        """Compute consecutive indices on one thread; results must not depend on how indices are grouped."""
         ...
 
 
 @dataclass(frozen=True)
 class DescribedStudy:
-    """What a kind knows of a study.
+    """A study as seen by its kind.
 
-    Relative names of files begin in the ``folder``, and ``wrap`` puts file and line on an error about the ``table``.
+    File names are relative to ``folder``, and ``wrap`` adds file and line to an error about the ``table``.
     """
 
     table: Mapping[str, Any]
@@ -91,15 +91,15 @@ class DescribedStudy:
     wrap: Callable[[ClubfaceError], FileError]
 
     def load(self, key: str, read: Callable[[Any], T], default: str | None = None) -> dict[Any, T]:
-        """Return what is named under a key of the kind's table, or swept there, by that name, each read now.
+        """Return the objects named under a key of the kind's table, or swept, by name; they are read now.
 
-        ``read`` takes a name, or the path of a file from the folder of the study.
+        ``read`` takes a name, or a file's path relative to the study's folder.
         """
         swept = next((each.choices for each in self.design.axes if each.name == key), None)
         return {each: read(resolved(each, self.folder)) for each in swept or [self.table.get(key, default)]}
 
     def columns(self, every: Mapping[str, Column], usual: Sequence[str]) -> dict[str, Column]:
-        """Return the columns that the kind's table asks for by ``outputs``, or the usual ones."""
+        """Return the columns requested by ``outputs`` in the kind's table, or the usual ones."""
         names = self.table.get("outputs", usual)
         for place, name in enumerate(names):
             check_choice(f"outputs[{place}]", name, every)
@@ -113,16 +113,16 @@ class Kind:
     Attributes
     ----------
     name
-        As in the file of a study, and the name of the table that the kind has there.
+        Name in study files, and of the kind's table there.
     keys
-        The kinds of value under the keys of that table, which stays as it is in the file.
+        Schemas of the keys in that table, which is kept as in the file.
     swept
-        From the kind's table, its names of files as paths, and [sweep], to the inputs that may be swept.
+        Returns the sweepable inputs from the kind's table (with file names as paths) and [sweep].
     task
-        From a study to its task; what is wrong with the study is an error here, before any work. It reads all files
-        that the tasks need, since none is read later.
+        Returns the task of a study, and raises errors in the study before any work. It reads all files the tasks need,
+        since none are read later.
     apart
-        Those of the keys whose tables may hold what is swept, as the kind says what that means.
+        Keys whose tables may contain swept inputs, with a meaning defined by the kind.
     """
 
     name: str
@@ -132,7 +132,7 @@ class Kind:
     apart: tuple[str, ...] = ()
 
     def prepare(self, study: DescribedStudy) -> Task:
-        """Return the task of a study; an error about a value of the kind's table names file and line."""
+        """Return the task of a study; errors about values in the kind's table name file and line."""
         try:
             return self.task(study)
         except ClubfaceError as error:
@@ -140,31 +140,31 @@ class Kind:
 
 
 def resolved(named: Any, folder: Path) -> Any:
-    """Return a name as it is, and the path of a file from the folder of the study."""
+    """Return a name unchanged, and a file's path relative to the study's folder."""
     return folder / named if isinstance(named, str) and is_path(named) else named
 
 
 ONE_NAME = Simple("one name in quotes; several go to [sweep]", lambda given: isinstance(given, str), {"type": "string"})
 OUTPUTS = Items(TEXT, 1, allowed='a list of quantities, as in ["carry"]')
-"""Kinds of value that the tables of several kinds have."""
+"""Schemas used in the tables of several kinds."""
 
 
 class OneByOne:
-    """Tasks that are computed one after the other. See :class:`clubface.studies.kinds.kind.Task`.
+    """Tasks computed one by one. See :class:`clubface.studies.kinds.kind.Task`.
 
     Parameters
     ----------
     study
         The study.
     columns
-        What is kept of a task.
+        Columns to keep.
     compute
-        From what is swept, numbers [SI] and names, to all figures [SI] by name, or to what computes each of them; what
-        has none is an error. Under the name of a history it has the arrays of its columns.
+        Takes the swept inputs, numbers [SI] and names, and returns all results [SI] by name, or functions that compute
+        them; without a result it raises an error. A history's name holds the arrays of its columns.
     elements
-        Whether finite elements compute it, whose last digits depend on the processor.
+        Whether it uses finite elements, whose last digits depend on the processor.
     histories
-        The histories that are kept.
+        Histories to keep.
     """
 
     columns: Mapping[str, Column]
@@ -186,7 +186,7 @@ class OneByOne:
         self.depends_on = {"processor": vector_units()} if elements else {}
 
     def run(self, indices: range) -> Computed:
-        """Compute one task after the other; the reason why one has no result is kept."""
+        """Compute the tasks one by one, recording why one has no result."""
         values = {name: each.tolist() for name, each in self._design.values(indices).items()}
         columns = {name: np.full(len(indices), math.nan) for name in self.columns}
         failed: list[tuple[int, str]] = []

@@ -1,4 +1,4 @@
-"""What all studies of shots have in common: club, ball and model, what of them may be swept, and the conditions."""
+"""Inputs common to all studies of shots: club, ball, model, and conditions, fixed or swept."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from clubface.support.files import is_path
 from clubface.support.processes import vector_units
 
 CHOSEN = ("model", "club", "ball", "hand")
-"""What has names: one shot after the other cannot have its own, so that shots are computed by these."""
+"""Inputs with names; shots are grouped by them, as they cannot vary within an array."""
 CONDITIONS = ("air", "wind", "ground")
 WANTED = {
     "club": 'give it, as in club = "driver"',
@@ -31,11 +31,11 @@ WANTED = {
 }  # fmt: skip
 OF_CLUB = {"club_mass": "mass", "static_loft": "loft"}
 OF_CLUB |= {name: name for name in CLUB_PROPERTIES if name not in ("mass", "loft", "cor")}
-"""The field of a club by the input of a shot that has its value."""
+"""Field of a club, by the shot input with its value."""
 OF_WIND = {"wind_x": "m/s", "wind_y": "m/s", "wind_z": "m/s", "wind_speed": "m/s", "wind_direction": "rad"}
 OF_AIR = {name: "m" if name == "altitude" else flight_inputs()[name].unit for name in Air.__dataclass_fields__}
 OF_GROUND = {name: each.unit for name, each in flight_inputs().items() if each.group == "ground"}
-"""Units of the numbers of the conditions."""
+"""Units of numeric conditions."""
 HELD = {
     name: PhysicalValue(each.unit, special={FLAT: math.inf} if name in ("bulge", "roll") else {})
     for name, each in inputs().items()
@@ -49,17 +49,17 @@ KEYS: Mapping[str, Value] = {
     "held": Record(HELD, example='{ speed = "113 mph" }'),
     **dict.fromkeys(CONDITIONS, Simple("a table of numbers")),
 }
-"""The keys that the tables of all studies of shots have."""
+"""Keys common to the tables of all studies of shots."""
 BY_GROUP = dict(zip(CONDITIONS, (OF_AIR, OF_WIND, OF_GROUND), strict=True))
 
 
 def swept_conditions() -> dict[str, Swept]:
-    """Return the numbers of air, wind and ground that may be swept."""
+    """Return the sweepable numbers of air, wind and ground."""
     return {name: Swept(unit, group=group) for group, known in BY_GROUP.items() for name, unit in known.items()}
 
 
 def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str, Swept]:
-    """Return what of a shot may be swept: its inputs, the parameters of its models, conditions, and what has names."""
+    """Return the sweepable inputs of a shot: inputs, parameters of its models, conditions, and names."""
     named = {"club": Swept(None), "ball": Swept(None), "model": Swept(None, tuple(models()))}
     numbers = {name: Swept(each.unit) for name, each in inputs().items() if name != "hand"}
     given = sweep.get("model", table.get("model", DEFAULT_MODEL))
@@ -72,12 +72,12 @@ def swept_shots(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str,
 
 
 def is_parameter(name: str) -> bool:
-    """Tell a parameter of a model from everything else of a shot that may be swept."""
+    """Return whether a sweepable input of a shot is a model parameter."""
     return name not in {*inputs(), *CHOSEN, *swept_conditions()}
 
 
 class Conditions:
-    """Air, wind and ground of flights: what a table holds, and what is swept of it."""
+    """Air, wind and ground of flights, fixed or swept."""
 
     def __init__(self, study: DescribedStudy) -> None:
         self._held = {group: study.table.get(group) for group in CONDITIONS}
@@ -90,13 +90,13 @@ class Conditions:
                 for name, value in held.items():
                     if name in known:
                         number(name, value, known[name])
-        # What is swept may leave its range here and there; whether it goes with what is held is known now.
+        # Swept values may leave their range in some tasks; whether they fit the fixed inputs is known now.
         first = self.at({name: float(each[0]) for name, each in study.design.values(range(1)).items()})
         conditions(**first)
         check_conditions(**{group: None if first[group] != held else held for group, held in self._held.items()})
 
     def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return air, wind and ground as a flight takes them, from what is swept; the rest of the values is left."""
+        """Return air, wind and ground as a flight takes them, for swept ``values``; other values are ignored."""
         groups = dict(self._held)
         for group, known in BY_GROUP.items():
             if changed := {name: each for name, each in values.items() if name in known}:
@@ -105,16 +105,16 @@ class Conditions:
 
 
 class ShotInputs:
-    """Shots of a study, of which some things are held and others swept.
+    """Shots of a study with fixed and swept inputs.
 
     Attributes
     ----------
     choices
-        The names of what is swept by names, in the order of the axes.
+        Names of inputs swept by name, in the order of the axes.
     conditions
         Air, wind and ground.
     depends_on
-        As of :class:`clubface.studies.kinds.kind.Task`.
+        As for :class:`clubface.studies.kinds.kind.Task`.
     """
 
     def __init__(self, study: DescribedStudy, *, needs: Sequence[str] = ("club", "speed")) -> None:
@@ -123,7 +123,7 @@ class ShotInputs:
         self.table = table = study.table
         axes = {each.name: each for each in study.design.axes}
         self.choices = {name: axes[name].choices for name in CHOSEN if name in axes}
-        # Files are read once: what they hold later is another study.
+        # Files are read once; later changes would make another study.
         named = self.choices.get
         self._clubs = study.load("club", club_of) if {"club"} & {*axes, *table} else {}
         self._balls = study.load("ball", _ball)
@@ -150,7 +150,7 @@ class ShotInputs:
                     raise InputError("parameters", given, error.allowed) if known_sets else error from None
 
     def equipped(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the options of :func:`clubface.impact` for what has names and for parameters that are swept."""
+        """Return the options of :func:`clubface.impact` for names and swept parameters."""
         table = {**self.table, **names}
         club = self._clubs.get(table.get("club"))
         model = table.get("model", DEFAULT_MODEL)
@@ -165,9 +165,9 @@ class ShotInputs:
         }  # fmt: skip
 
     def single(self, task: Mapping[str, Any], club: Club | None = None) -> dict[str, Any]:
-        """Return the options of :func:`clubface.impact` for one task, whose club and ball have what is swept of them.
+        """Return the options of :func:`clubface.impact` for one task, with swept properties of club and ball.
 
-        A ``club`` stands in where neither the study nor the task names one.
+        ``club`` is used if neither the study nor the task names one.
         """
         names = {name: task[name] for name in self.choices}
         options = self.equipped(names, task)
@@ -184,18 +184,18 @@ class ShotInputs:
         return {**options, "delivery": values}
 
     def delivered(self, names: Mapping[str, str], values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the inputs of shots that are held and swept."""
+        """Return the fixed and swept inputs of shots."""
         hand = {**self.table, **names}.get("hand")
         swept = {name: each for name, each in values.items() if name in inputs()}
         return {**self.table.get("held", {}), **swept, **({} if hand is None else {"hand": HANDS[hand]})}
 
 
 ALTERNATIVES = (("altitude",), ("pressure",)), (LEVEL, ("wind_x", "wind_z"))
-"""What says the same in two ways, of which a flight takes one."""
+"""Alternative ways to give the same condition, only one of which a flight takes."""
 
 
 def changed_table(table: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table of a kind with changes: each of its numbers and names stays that is not changed."""
+    """Return a kind's table with changes; all other entries stay."""
     changed = {**table, **changes}
     for group in ("held", "parameters", *CONDITIONS):
         first, other = _values(group, table.get(group)), changes.get(group)
@@ -210,7 +210,7 @@ def changed_table(table: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[
 
 
 def replaced_by(names: Iterable[str]) -> set[str]:
-    """Return inputs and those that say the same in another way."""
+    """Return inputs together with their alternatives."""
     replaced = {*names}
     for one, two in ALTERNATIVES:
         if replaced & {*one, *two}:
@@ -219,7 +219,7 @@ def replaced_by(names: Iterable[str]) -> set[str]:
 
 
 def _values(group: str, given: Any) -> Mapping[str, Any]:
-    """Return the values by name that a table has for a group; nothing for a set of parameters that has a name."""
+    """Return a table's values for a group, by name; empty for a named parameter set."""
     if group == "wind" and isinstance(given, list) and len(given) == 3:
         return dict(zip(("wind_x", "wind_y", "wind_z"), given, strict=True))
     if group == "ground" and isinstance(given, str):
@@ -228,13 +228,13 @@ def _values(group: str, given: Any) -> Mapping[str, Any]:
 
 
 def _ball(named: Any) -> Any:
-    """Return the ball of a file, and the name of any other: each backend has its own ball of that name."""
+    """Return the ball of a file, or a name unchanged, as each backend has its own ball of that name."""
     made = ball_of(named)
     return made if is_path(named) else named
 
 
 def _check(study: DescribedStudy, needs: Sequence[str]) -> None:
-    """Refuse what no shot can have, before one is computed."""
+    """Raise errors for impossible inputs, before any shot is computed."""
     table = study.table
     held = table.get("held", {})
     swept = {each.name for each in study.design.axes}
@@ -244,12 +244,12 @@ def _check(study: DescribedStudy, needs: Sequence[str]) -> None:
 
 
 def _is_by_model(given: Any) -> TypeGuard[Mapping[str, Any]]:
-    """Tell a table of parameters for each of several models from one of values."""
+    """Return whether a table of parameters has a table for each of several models rather than values."""
     return isinstance(given, Mapping) and given.keys() <= set(models())
 
 
 def _given(table: Mapping[str, Any], model: str, folder: Path) -> Any:
-    """Return the parameters that are given for a model: of several models, those under its name."""
+    """Return the parameters given for a model; with several models, those under its name."""
     given = table.get("parameters")
     if _is_by_model(given):
         given = given.get(model)
