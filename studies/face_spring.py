@@ -14,8 +14,8 @@ from typing import Any
 
 from clubface import fem
 from clubface.fem.head_tests import characteristic_time
-from clubface.fem.heads.driver import DriverHead
 from clubface.fem.heads.meshed import ShellHead
+from clubface.fem.heads.parametric import DriverHead
 from clubface.support.checks import without_warnings
 
 STORED = Path(__file__).with_suffix(".json")

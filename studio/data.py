@@ -38,7 +38,7 @@ from clubface.errors import RuleWarning
 from clubface.fem.backend import HOW
 from clubface.fem.balls import ball_names
 from clubface.fem.case import case
-from clubface.fem.heads.driver import DriverHead
+from clubface.fem.heads.parametric import DriverHead
 from clubface.fem.heads.read import design_of, head_names
 from clubface.fem.paper import ANGLE, FRICTION as REFERENCE_FRICTION, REFERENCE_SPEED
 from clubface.fem.run import THROW_ANGLES, THROW_SPEEDS

@@ -16,18 +16,16 @@ from clubface import units
 from clubface.errors import InputError, TargetWarning, Wording
 from clubface.fem.geometry import area_vectors, sums_at_nodes
 from clubface.fem.heads.added_mass import spread
-from clubface.fem.heads.driver import SHAPE, WALLS, DriverHead
 from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.meshed import ShellHead
 from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.parametric import DRIVER_SHAPES, WALLS, DriverHead
 from clubface.fem.heads.user_mesh import MeshHead, beyond
 from clubface.support.checks import check_choice, check_names, without_warnings
 from clubface.support.files import input_file
 
 MOST_CHOICES = 50
 """Maximum number of metal choices in a study; each takes a separate search."""
-
-
 SCALED = ("crown", "sole", "skirt")
 """Walls scaled to meet the target mass, unless they are variables."""
 ELEMENTS = (12, 6, 8)
@@ -182,7 +180,7 @@ class DriverFamily(Family):
     def __init__(self, head: DriverHead, varied: Mapping[str, Any]) -> None:
         self._head = head
         self._free = any(f"thickness.{wall}" in varied for wall in SCALED)
-        self.variables = {"thickness": ("wall", WALLS), "shape": ("dimension", SHAPE)}
+        self.variables = {"thickness": ("wall", WALLS), "shape": ("dimension", tuple(DRIVER_SHAPES))}
         with without_warnings(TargetWarning):
             self.start = head.mesh()
 

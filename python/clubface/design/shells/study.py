@@ -48,8 +48,8 @@ from clubface.design.shells.trust_region import Goal
 from clubface.equipment.rules import rules_of
 from clubface.errors import InputError, ShotError
 from clubface.fem.balls import Ball, ball as ball_of
-from clubface.fem.heads.driver import SHAPE, DriverHead
 from clubface.fem.heads.metal import Metal
+from clubface.fem.heads.parametric import DRIVER_SHAPES, DriverHead
 from clubface.fem.heads.read import FOLDER, from_toml, head as meshed
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.quantities import Quantity, Reading
@@ -147,7 +147,7 @@ FACE_IMPACT = Record(
 VARIABLE_TABLES = {
     "thickness": Record(Interval(PhysicalValue("mm"), '["2.4 mm", "4.2 mm"]')),
     "masses": Record(Interval(PhysicalValue("g", lower=0), '["0 g", "12 g"]')),
-    "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in SHAPE}),
+    "shape": Record({name: Interval(PhysicalValue("deg" if name == "loft" else "mm")) for name in DRIVER_SHAPES}),
 }
 LIMITS = Record({
     name: Interval(PhysicalValue(unit, lower=0), f'["none", "... {unit}"]', no_limits=(0.0, math.inf))

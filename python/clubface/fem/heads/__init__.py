@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from clubface.fem.heads.driver import DriverHead
-from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.mesh_groups import Group
 from clubface.fem.heads.meshed import Bond, MeshedClub, MeshedHead, Part, ShellHead, SolidHead, SolidPart, mesh_of
 from clubface.fem.heads.metal import Hardening, Metal
+from clubface.fem.heads.parametric import DriverHead, IronHead
 from clubface.fem.heads.read import head, head_names, head_text
 from clubface.fem.heads.user_mesh import MeshHead
 

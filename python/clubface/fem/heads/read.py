@@ -7,9 +7,8 @@ from collections.abc import Mapping
 
 from clubface.equipment.clubs import Club
 from clubface.errors import ClubfaceError, FileError
-from clubface.fem.heads.driver import DriverHead
-from clubface.fem.heads.iron import IronHead
 from clubface.fem.heads.meshed import MeshedClub, MeshedHead
+from clubface.fem.heads.parametric import DriverHead, IronHead
 from clubface.fem.heads.user_mesh import MeshHead
 from clubface.schema import Choice, Document, PhysicalValue, Place, Table, Value, encode, entries
 from clubface.support.files import builtin_names, path_of
