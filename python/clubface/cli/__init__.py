@@ -23,7 +23,7 @@ def main() -> None:
         from clubface.cli.failures import missing_library
 
         status = missing_library(error)
-    # While modules are loaded; a command tells of its own interruption.
+    # Interrupted while modules are loaded; a command reports its own interruption.
     except KeyboardInterrupt as stop:
         from clubface.cli.failures import report
 
@@ -34,7 +34,7 @@ def main() -> None:
 
 
 def _leave_at_once() -> None:
-    """Exit without the clean-up of libraries, which takes time: all work has been saved, and someone is waiting."""
+    """Exit without the clean-up of libraries, which takes time: all work has been saved, and the user is waiting."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(OSError, ValueError):
             stream.flush()

@@ -67,9 +67,9 @@ COMMANDS = {
     "export": "export",
     "schema": "schema",
 }
-"""The module of each command, in the order of the help."""
+"""Module of each command, in the order of the help."""
 READER_GONE = 128 + 13
-"""Exit status of a program whose output was closed by its reader, as shells report it (SIGPIPE)."""
+"""Exit status of a program whose output was closed by its reader, as reported by shells (SIGPIPE)."""
 
 
 class Commands(TyperGroup):
@@ -95,7 +95,7 @@ class Commands(TyperGroup):
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: Any) -> Any:
-        """Tell Ctrl-C and a closed output from other reasons to stop."""
+        """Distinguish Ctrl-C and a closed output from other reasons to stop."""
         try:
             result = super().invoke(ctx)
             sys.stdout.flush()
@@ -125,7 +125,7 @@ def _root(
 
 
 def _options(arguments: Sequence[str]) -> dict[str, str]:
-    """Return the options of the command in ``arguments`` as they are typed, by parameter name."""
+    """Return the options of the command in ``arguments`` as typed, by parameter name."""
     command: Any = typer.main.get_command(app)
     for word in arguments:
         if not isinstance(command, TyperGroup) or (result := command.get_command(typer.Context(command), word)) is None:
@@ -139,7 +139,7 @@ def _prepare_streams() -> bool:
     """Return whether there is an output stream, and provide one for messages if there is none."""
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - for the rest of the process
-    # Rich takes other digits, such as a superscript, for a number of columns, and then stumbles over them.
+    # Rich mistakes other digits, such as superscripts, for a number of columns and fails to convert them.
     for name in ("COLUMNS", "LINES"):
         if not (words := os.environ.get(name, "")).isascii() or not words.isdigit() or not 0 < int(words[:9]) < 10_000:
             os.environ.pop(name, None)
@@ -151,7 +151,7 @@ def run(arguments: Sequence[str]) -> int:
     show_warnings()
     remember(arguments)
     if not _prepare_streams():
-        # The next file that is opened would take its place, and what a library prints would land in it.
+        # The next file opened would take its file descriptor and receive the output of libraries.
         print_note("the standard output is closed; send what you do not want to see to /dev/null")
         return 2
     if isinstance(sys.stdout, io.TextIOWrapper):
@@ -159,9 +159,9 @@ def run(arguments: Sequence[str]) -> int:
     try:
         with InputRecord().active(), legible_streams():
             status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
-        sys.stdout.flush()  # what the parser printed by itself, such as help
-    except (ReaderGone, BrokenPipeError, SystemExit):  # Rich, which prints the help, takes a broken pipe for the end
-        # A pager or head has seen enough: nothing is left to say.
+        sys.stdout.flush()  # text printed by the parser itself, such as help
+    except (ReaderGone, BrokenPipeError, SystemExit):  # Rich, which prints the help, treats a broken pipe as the end
+        # A pager or head has read enough: nothing is left to report.
         let_go_of_output()
         return READER_GONE
     except (Exception, Interrupted) as error:

@@ -124,14 +124,14 @@ def best_loft(
 
 
 def _refuse(given: Mapping[str, Any], reason: str) -> None:
-    """Refuse options that have no effect."""
+    """Raise ClubfaceError for options that have no effect."""
     for option, value in given.items():
         if value is not None:
             raise ClubfaceError(f"{option} has no effect here: {reason}")
 
 
 def _one(option: str, texts: list[str] | None, example: str) -> str:
-    """Return the one value of an option that may have several."""
+    """Return the only value of an option that may have several."""
     values = options.names(texts)
     if len(values) != 1:
         raise ClubfaceError(f'{option} must be given once with --loft, as in {option} "{example}"')

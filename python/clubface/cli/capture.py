@@ -119,8 +119,8 @@ def read(
 def _picture_file(picture: str | None, table: str | None, files: list[str], mapping: str) -> str | None:
     """Return the file for the pictures, or None.
 
-    A table that is kept gets the pictures by which it can be judged next to it, a page a swing. A command that prints
-    leaves no file behind unless it is asked to.
+    A table written to a file gets pictures next to it, one page per swing, for checking. Without a table, pictures are
+    written only on request.
     """
     inputs = [*files, mapping]
     if picture is not None:

@@ -43,8 +43,8 @@ def new(
     typed = options.pairs([part for each in settings for part in each.split(",")], "--set")
     words = ", ".join(f"{key} {value}" for key, value in typed.items())
     changes = _changes(base, typed)
-    changed = base.replace(**changes)  # refuses what cannot be
-    if source is not None and changes:  # the description of the club that was changed may no longer hold
+    changed = base.replace(**changes)  # raises an error for impossible values
+    if source is not None and changes:  # the description of the base club may no longer apply
         changed = changed.replace(description=f"{source.name} with {words}")
     text = changed.to_toml() if source is not None else _template(name, changes)
     output.write_template(text, target, f"fill it in, then try: clubface club check {target}")
@@ -71,7 +71,7 @@ def _template(name: str, changes: dict[str, Any]) -> str:
     text = Club.template(name)
     for key, value in changes.items():
         other = {"cor": "characteristic_time", "characteristic_time": "cor"}.get(key)
-        if other is not None:  # the face is described by one of them
+        if other is not None:  # only one of them describes the face
             text = re.sub(rf"^{other} = ", f"# {other} = ", text, flags=re.MULTILINE)
         entry = f"{key} = {quoted(value)}"
         text = re.sub(rf"^(?:# )?{key} = .*?( +#.*)?$", lambda line, new=entry: f"{new:<27} {(line[1] or '').strip()}",
@@ -80,7 +80,7 @@ def _template(name: str, changes: dict[str, Any]) -> str:
 
 
 def _factor(text: str) -> float:
-    """Return the factor of "+10%" or "-5 %"."""
+    """Return the factor for "+10%" or "-5 %"."""
     result = re.fullmatch(r"([+-]\s*\d+(?:\.\d*)?)\s*%", text)
     if result is None:
         raise InputError(f"--set {WHOLE}", text, 'a change in per cent, as in "inertia=+10%"')

@@ -1,6 +1,6 @@
-"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and what makes the difference.
+"""``clubface compare``: clubs, balls, models, parameters or deliveries side by side, and causes of the differences.
 
-Every combination of what was given more than once is compared, and named by what differs.
+All combinations of the options given more than once are compared, and named by their differences.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ def alternatives_of(
     texts: Mapping[str, Any],
     units: Mapping[str, str] | None = None,
 ) -> dict[str, dict[str, Any]]:
-    """Return every combination of the given alternatives, named by what differs.
+    """Return every combination of the given alternatives, named by their differences.
 
-    ``units`` are those of columns of ``file`` that name none.
+    ``units`` are the units of columns of ``file`` without one.
     """
     from clubface.equipment.balls import ball
 
@@ -56,7 +56,7 @@ def alternatives_of(
 
 
 def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
-    """Return things by name; things with the same name are named as they were typed."""
+    """Return objects by name; objects with the same name are named as typed."""
     names = [each.name for each, _ in pairs]
     result = {}
     for name, (each, typed) in zip(names, pairs, strict=True):
@@ -69,15 +69,17 @@ def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
 
 
 def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the parameter sets of a model to compare: the given ones that fit it, or its default."""
+    """Return the parameter sets of a model to compare: the given ones for this model, or its default."""
     settings = texts["setting"] or []
-    options.parameter_sets(models, head.parameters, texts["parameters"], settings)  # refuses what fits none of them
+    options.parameter_sets(
+        models, head.parameters, texts["parameters"], settings
+    )  # raises an error for a set that fits none of them
     usual = options.parameter_sets([model], head.parameters)[model]
     fitting = [each for each in settings if each.partition("=")[0].strip() in usual.values]
     chosen = []
     for name in texts["parameters"] or ():
         result = options.parameter_sets(models, head.parameters, name)[model]
-        # One that serves another of the models leaves this one with its own.
+        # A set for another of the models leaves this one with its default.
         if len(models) == 1 or result != usual:
             chosen.append((options.parameter_sets([model], head.parameters, name, fitting)[model], name))
     if not chosen:

@@ -1,4 +1,4 @@
-"""``clubface dispersion``: where a golfer's shots go, by sampling and by derivatives, and what spreads them."""
+"""``clubface dispersion``: where a golfer's shots go, by sampling and by derivatives, and causes of the spread."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 app = typer.Typer(add_completion=False)
 
 LOFT_THAT_COUNTS = 0.05
-"""Difference in static loft [deg] from which a note says that the dynamic loft belongs to another club."""
+"""Difference in static loft [deg] above which a note says that the dynamic loft belongs to another club."""
 HOLE = options.group("Hole", {
     "hole": (str | None, None, '"430 yd"', "Length of a hole, to count strokes."),
     "fairway": (str | None, None, '"32 yd"', "Width of the fairway."),
@@ -88,7 +88,7 @@ def dispersion(
 
 
 def _check(player: Golfer, head: Any, model: str, count: int | None) -> None:
-    """Ask for a number of shots if they take long, and note when the golfer and the club do not match."""
+    """Require a number of shots if they take long, and print a note if golfer and club do not match."""
     from clubface.equipment.clubs import CLUB_NAMES, club
 
     if count is None and model not in models():

@@ -25,9 +25,9 @@ class ReaderGone(BaseException):
 def print_note(message: str) -> None:
     """Write one message on one line of the error stream; a failure to write it is ignored.
 
-    It comes after what was printed before, also where both streams go to one file.
+    Standard output is flushed first, so that the order is kept if both streams go to one file.
     """
-    with suppress(OSError, AttributeError):  # closed, or none at all; whoever prints next finds out
+    with suppress(OSError, AttributeError):  # closed or missing; the next print reports it
         sys.stdout.flush()
     with suppress(OSError):
         print(f"clubface: {in_a_line(message)}", file=sys.stderr)
@@ -40,7 +40,7 @@ def print_written(files: Sequence[object]) -> None:
 
 
 def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
-    """Use the option as typed in an error about its value; ``options`` are keyed by parameter name."""
+    """Name the option as typed in an error about its value; ``options`` are keyed by parameter name."""
     if isinstance(error, InputError) and not isinstance(error, UnknownNameError):
         first, rest = error.parameter.partition(" ")[::2]
         error.parameter = " ".join([options.get(first, first), *([rest] if rest else [])])
@@ -49,7 +49,7 @@ def as_typed(error: BaseException, options: Mapping[str, str]) -> BaseException:
 
 def report(error: BaseException) -> int:
     """Report an error; return the exit status."""
-    if isinstance(error.__cause__, KeyboardInterrupt):  # Python gives another error for one while a class is made
+    if isinstance(error.__cause__, KeyboardInterrupt):  # Python replaces one that is raised while a class is created
         error = error.__cause__
     if isinstance(error, (Interrupted, KeyboardInterrupt)):
         sentences = str(error)
@@ -63,7 +63,7 @@ def report(error: BaseException) -> int:
     if isinstance(error, ModuleNotFoundError) and missing_extra(error) is not None:
         return missing_library(error)
     if isinstance(error, OSError):
-        if error.filename is None:  # files are written and read under their names
+        if error.filename is None:  # errors of files carry a file name
             let_go_of_output()
         print_note(f"{error.filename or 'standard output'}: {error.strerror or error}")
         return 2
@@ -109,7 +109,7 @@ def _misused(error: Any) -> int:
 def show_warnings() -> None:
     """Show warnings as one-line notes.
 
-    ``clubface clubs`` notes that the ball `published` is a little below the rule limit; it is not repeated each time.
+    ``clubface clubs`` notes that the ball `published` is slightly below the limit of the rules; this is not repeated.
     """
     warnings.filterwarnings("ignore", message="published: ball diameter", category=RuleWarning)
     warnings.filterwarnings("default", message=RENAMED, category=DeprecationWarning)

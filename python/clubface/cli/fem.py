@@ -174,7 +174,7 @@ def reference(**texts: Any) -> None:
         for each in meshes(fem.ball(how["ball"]), range(DEFAULT + 1, DEFAULT + count)):
             run_finer = partial(fem.reference, **how | {"ball": each}, settings=settings)
             finer.append(run_with_progress(lambda progress, run=run_finer: run(progress=progress)))
-    # What other solvers gave is known of this case alone.
+    # Results of other solvers are known for this case only.
     published = how["friction"] == 0.35 and how["ball"] == "reference"
     result = reference_result(impact, published=published, finer=finer)
     show.Output.check(texts).show(result)
@@ -214,7 +214,7 @@ def run(case: CaseArgument, **texts: Any) -> None:
             from clubface.present.drawing import animate as write_animation
 
             written.append(write_animation(moving_section(impact), Path(folder) / "impact.gif"))
-    finally:  # what took long is shown even where a disk is full
+    finally:  # show long computations even if the disk is full
         shown.show(result, more=written)
     _end(impact)
 
@@ -320,7 +320,7 @@ def _end(impact: Impact) -> None:
     """After printing and writing the results of a run, report why there is no launch, if there is none."""
     if impact.interrupted:
         raise Interrupted(f"interrupted at {fixed(impact.contact['time'][-1:].sum(), 'us', 0)} of the impact")
-    if impact.unfinished:  # as long as was asked for
+    if impact.unfinished:  # it ran for the requested time
         print_note(str(impact.stopped))
     elif impact.stopped:
         raise RunError(impact.stopped)

@@ -57,7 +57,7 @@ ESTIMATED = options.group(None, {
 
 @app.command("estimate")
 @options.takes(
-    {name: each for name, each in RECORDED.items() if name != "ball"}, ESTIMATED,  # no ball is struck
+    {name: each for name, each in RECORDED.items() if name != "ball"}, ESTIMATED,  # no ball is involved
     show.table_option("Write the golfer to this TOML file."), show.REPORT, show.JSON,
 )  # fmt: skip
 def estimate(files: Files, **texts: Any) -> None:

@@ -94,7 +94,7 @@ def identify(
     try:
         if target is not None:
             written = [str(write_text(target, identification.to_toml()))]
-    finally:  # what took long is shown even where a disk is full
+    finally:  # show long computations even if the disk is full
         shown.show(identification.to_result(), more=written)
 
 

@@ -46,7 +46,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     if about and deviations is None:
         raise ClubfaceError("--toe and --high are the point about which impacts scatter; give --spread too")
     names = _quantities(texts["quantity"])
-    listed = {*(names or LISTED), "ball_speed", "carry"}  # the best points are of the last two
+    listed = {*(names or LISTED), "ball_speed", "carry"}  # the best points refer to the last two
     if hidden := [name for name in output.units if name not in listed]:
         raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
     counts = None if grid is None else _grid(grid)
@@ -73,7 +73,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     if output.target is not None:
         write_table(mapped.all_points(), output.target)
         for kept, each in zip((output.target, _second(output.target)), maps, strict=False):
-            if each.interpolated:  # else nothing was kept, and a folder of that name is of something else
+            if each.interpolated:  # otherwise nothing was stored, and a folder of that name is unrelated
                 finished(kept)
     result = mapped.to_result(names, scatter)
     if output.report is not None:
@@ -82,7 +82,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
 
 
 def _second(target: str) -> str:
-    """Return the name under which the second club's points are kept until the file is written."""
+    """Return the name for storing the second club's points until the file is written."""
     path = Path(target)
     return str(path.with_name(f"{path.stem}.minus{path.suffix}"))
 

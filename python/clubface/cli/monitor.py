@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from clubface.shots.messages import Message
 
 LONGEST = 30 * 86400.0
-"""Longest waiting time [s]."""
+"""Maximum waiting time [s]."""
 MOST_SHOTS = 1_000_000
 SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 """The quantities printed for a shot."""
@@ -64,7 +64,7 @@ def listen(**texts: Any) -> None:
     kept: list[Message] = []
 
     def keep(message: Message) -> None:
-        """Write a shot to disk before it is acknowledged, so that none can be lost."""
+        """Write a shot to disk before it is acknowledged, so that none is lost."""
         if target is not None:
             recorded([*kept, message], hand=hand).write(target)
         kept.append(message)

@@ -1,4 +1,4 @@
-"""Shared options and arguments, in groups that a command takes as a whole, and the parsing of their values."""
+"""Shared options and arguments, in groups for commands, and parsing of their values."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from clubface.support.checks import check_choice, check_names
 from clubface.support.renamed import warn_renamed
 
 Group = Mapping[str, tuple[Any, Any]]
-"""Options by the name of their value: annotation and default."""
+"""Annotation and default of options, by name of the value."""
 
 
 def option(*names: str, metavar: str, text: str, panel: str | None = None) -> Any:
-    """Return an option whose default, if any, is described in its help ``text``."""
+    """Return an option; its help ``text`` describes the default, if any."""
     return typer.Option(*names, metavar=metavar, rich_help_panel=panel, help=text, show_default=False)
 
 
@@ -47,7 +47,7 @@ def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]
 
 
 def renamed(**names: str) -> Group:
-    """Return hidden options under old names, each with one text; :func:`take_renamed` moves their values."""
+    """Return hidden text options under old names; :func:`take_renamed` moves their values."""
     return {
         old: (Annotated[str | None, typer.Option(f"--{old.replace('_', '-')}", hidden=True)], None) for old in names
     }
@@ -225,7 +225,7 @@ WORTH: Group = {
         None,
     ),
 }
-"""Differences too small to notice, which are not ranked."""
+"""Option for differences too small to notice, which are not ranked."""
 
 
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -251,32 +251,32 @@ USUAL = {
     "speed": (0.0, 115.0, "mph"), "angle": (0.0, 1.3, "deg"), "length": (0.0, 0.2, "mm"),
     "angular rate": (0.0, 2000.0, "rpm"), "temperature": (200.0, 330.0, "degC"), "pressure": (4e4, 1.2e5, "hPa"),
 }  # fmt: skip
-"""Smallest and largest magnitude [SI] of each dimension in golf, and the unit for showing it."""
+"""Usual range of magnitudes of each dimension in golf [SI], and the display unit."""
 USUAL_OF = {
     "--speed": (0.0, 75.0, "mph"), "--wind": (0.0, 40.0, "mph"), "--altitude": (0.0, 5000.0, "ft"),
     **dict.fromkeys(("--attack", "--path", "--face", "--lie", "--azimuth"), (0.0, 0.8, "deg")),
     **dict.fromkeys(("--hole", "--fairway", "--rough"), (0.0, 0.0, "yd")),
     **dict.fromkeys(("--closure", "--pitch-rate", "--lie-rate"), (0.0, 250.0, "deg/s")),
 }  # fmt: skip
-"""The same for options with a narrower range than their dimension."""
+"""Usual ranges for options with a narrower range than their dimension."""
 
 
 ONCE = ("--delivery", "--air", "--unit", "--assume")
-"""Options in which no name may occur twice; in --set, the last one wins."""
+"""Options in which no name may occur twice; in --set, the last one applies."""
 
 
 def parsed(option: str, text: str, dimension: str) -> float:
     """Return a value in SI.
 
-    A number without a unit is said to be taken so. One that no shot has in SI was meant in another unit, which is asked
-    for.
+    A note says that a number without a unit is read in SI. If no shot has such a value in SI, an error asks for the
+    unit.
     """
     number = text.strip()
     has_unit = number[-1:] not in "0123456789."
     try:
         value = units.parse(text if has_unit else float(number), dimension, name=option)
     except ValueError:
-        value = units.parse(text, dimension, name=option)  # which says what is wrong with it
+        value = units.parse(text, dimension, name=option)  # raises an error if it is invalid
     if has_unit or value == 0.0 or dimension == units.DIMENSIONLESS:
         return value
     si = units.SI_UNITS[dimension]
@@ -311,7 +311,7 @@ def delivery(given: Mapping[str, str | None]) -> dict[str, float]:
 
 
 def club_of(name: str, hand: str | None = None, model: str | Iterable[str] | None = None) -> Any:
-    """Return the club ``name``, for ``hand`` if given; ``model`` is the model that computes its shots."""
+    """Return the club ``name``, for ``hand`` if given; ``model`` computes its shots."""
     from clubface.equipment.clubs import club
 
     result = club(name)
@@ -339,7 +339,7 @@ def names(texts: Iterable[str] | None) -> list[str]:
 
 
 def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
-    """Refuse an accuracy that none of the models uses."""
+    """Raise InputError for an accuracy that none of the models uses."""
     if accuracy is not None and all(model(name).kind == "impulse" for name in names):
         contact = [name for name in models() if model(name).kind == "contact"]
         words = f"leave it out: {', '.join(names)} has no time steps; models with time steps: {', '.join(contact)}"
@@ -361,8 +361,8 @@ def parameter_sets(
 ) -> dict[str, Any]:
     """Return the parameter set of each model for a family of clubs.
 
-    A set named or read from a file serves the models it fits, the others keep their default; so does each setting. One
-    that fits none of the models is an error; of several, the last wins.
+    Sets and settings apply to the models that they fit, the others keep their defaults; one that fits none of the
+    models is an error, and of several for a model the last applies.
     """
     from clubface.equipment.parameters import ParameterSet
 

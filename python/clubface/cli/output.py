@@ -18,10 +18,10 @@ from clubface.units import fixed
 
 
 class _Legible:
-    """A text stream that passes everything through :func:`clubface.errors.legible`.
+    """A text stream that passes all text through :func:`clubface.errors.legible`.
 
-    On a terminal, what sets the type of letters passes, or on the error stream what moves a bar: tables, notes and
-    messages, in which texts of others come, are legible before.
+    On a terminal, escape sequences for bold text, and on the error stream those of progress bars, are let through:
+    tables, notes and messages, which may contain foreign text, have been made legible before.
     """
 
     def __init__(self, stream: Any, own: str) -> None:
@@ -46,9 +46,9 @@ def legible_streams() -> Iterator[None]:
 
 
 def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: Iterable[str | None] = ()) -> None:
-    """Refuse an output file of a wrong type, in a missing folder, or equal to one of the ``inputs``.
+    """Raise InputError for an output file of a wrong type, in a missing folder, or equal to one of the ``inputs``.
 
-    Errors come before work begins. ``kinds`` are the endings a name may have.
+    Errors are raised before any work. ``kinds`` are the allowed file extensions.
     """
     if target is None:
         return
@@ -65,13 +65,13 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
 
 
 def check_not_read(target: str | None) -> None:
-    """Refuse an ``--output`` that the command has read, such as a club file named in a study."""
+    """Raise InputError for an ``--output`` that the command has read, such as a club file named in a study."""
     if target is not None and place_of(target) in {each.place for each in recorded_files()}:
         raise InputError("--output", target, "a file other than those that are read")
 
 
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse a picture file in the same way; a missing library is an error too."""
+    """Check a picture file like :func:`check_target`; a missing library is an error too."""
     if target is not None:
         from clubface.present.style import ENDINGS
 
@@ -79,7 +79,7 @@ def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None
 
 
 def check_report(target: str | None, inputs: Iterable[str | None] = (), name: str = "--report") -> None:
-    """Refuse a report file in the same way; ``name`` is the option."""
+    """Check a report file like :func:`check_target`; ``name`` is the option."""
     if target is not None:
         from clubface.present.document import ENDINGS
 
@@ -88,7 +88,7 @@ def check_report(target: str | None, inputs: Iterable[str | None] = (), name: st
 
 
 def check_resume(resume: bool, target: str | None) -> None:
-    """Refuse to resume work without an output file, because nothing was kept."""
+    """Raise ClubfaceError for resuming without an output file, because nothing was stored."""
     if resume and target is None:
         raise ClubfaceError("--output is missing; finished work is kept next to it, so --resume needs it")
 
@@ -111,20 +111,20 @@ def write_template(text: str, target: str | None, then: str) -> None:
 
 
 Update = Callable[..., object]
-"""Called with the amount done, the total, and further text next to the bar."""
+"""Function called with the amount done, the total, and further values for the text next to the bar."""
 
 
 SECONDS_BETWEEN_LINES = 60.0
-"""How often a long run writes a line if no bar can be shown."""
+"""Interval at which a long run writes a line if no bar can be shown [s]."""
 
 
 @contextmanager
 def progress_bar(text: str | Callable[..., str], *, kept: str | None = None) -> Iterator[Update | None]:
     """Show a progress bar on the error stream if it is a terminal.
 
-    The ``text`` next to it is made of what the bar is given; a word names what is counted. ``kept`` is the file next to
-    which a long run keeps what is finished: where there is no terminal, a line says so once work has begun, and another
-    follows every minute.
+    ``text`` next to the bar is a word for what is counted, or a function of the values given to the bar. ``kept`` is
+    the file next to which a long run stores finished work: without a terminal, a line says so when work has begun, and
+    another follows every minute.
     """
 
     def words_of(done: float, whole: float, *more: Any) -> str:

@@ -16,7 +16,7 @@ app = typer.Typer(add_completion=False)
 TAKEN = (
     "accuracy", "carry", "rejects", "resume", "hand", "format", "mapping", "only", "where", "mismatch",
 )  # fmt: skip
-"""Options that are passed to the function under the same names."""
+"""Options passed to the function under the same names."""
 
 
 FILES = options.group(None, {

@@ -38,13 +38,13 @@ CHOICE: Group = {**READING, **options.group(_SHOTS, {
     "assume": (options.Texts, None, "NAME=VALUE",
                'Value to assume where it was not measured: "toe=0 mm". Repeatable.'),
 })}  # fmt: skip
-"""Options of commands that work on the shots of one club."""
+"""Options of commands for the shots of one club."""
 RECORDED: Group = {
     "club": text_option("--club", "Club and ball", "CLUB", "Name or TOML file; default: the club that the shots name."),
     **CHOICE,
     **options.EQUIPMENT,
 }
-"""The same, for commands in which the club may come from the shots."""
+"""Options of commands for the shots of one club, which may be taken from the shots."""
 
 
 Files = Annotated[
@@ -56,7 +56,7 @@ Files = Annotated[
 def read_shots(
     path: str | list[str], texts: Mapping[str, Any], club: Any = None, *, where: bool = False
 ) -> RecordedShots:
-    """Return the shots of files, from ``hand`` and the options of ``READING``, and of ``--where`` if ``where``."""
+    """Return the shots of files, from ``hand``, the options of ``READING``, and ``--where`` if ``where``."""
     from clubface.shots.reading import read
 
     units = options.pairs(texts["file_unit"] or (), "--unit")

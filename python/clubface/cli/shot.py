@@ -15,7 +15,7 @@ from clubface.errors import RangeWarning
 app = typer.Typer(add_completion=False)
 
 DRAWN = 1e-8
-"""Accuracy of plotted histories, whose steps are small enough for a smooth line."""
+"""Accuracy of plotted histories, with steps small enough for a smooth line."""
 
 
 @app.command()

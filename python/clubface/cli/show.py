@@ -52,15 +52,15 @@ class Output:
     Attributes
     ----------
     as_json
-        Whether JSON is printed in place of tables.
+        Whether JSON is printed instead of tables.
     target
         The file of the main table.
     plot, report
-        Files of picture and report.
+        Files of the picture and the report.
     folder
         The folder of tables and pictures.
     units
-        Units for people, by quantity.
+        Display units by quantity.
     """
 
     as_json: bool = False
@@ -76,7 +76,7 @@ class Output:
     ) -> Output:
         """Return the destinations of a result from the options of a command; errors are raised before any work.
 
-        ``inputs`` are files that are read, ``kinds`` the endings of the table's file.
+        ``inputs`` are the input files, ``kinds`` the extensions allowed for the file of the table.
         """
         from clubface.present.report import TABLES
 
@@ -103,13 +103,13 @@ class Output:
     ) -> None:
         """Print a result, write the requested files, and print their names.
 
-        ``write_table`` is False where the command has written the target itself. ``more`` are further files that the
-        command wrote. ``parts`` are written into the folder in place of the whole, each into one of its own.
+        ``write_table`` is False if the command has written the target itself. ``more`` are further files written by the
+        command. ``parts`` are written to subfolders in place of the whole.
         """
         result = result.replace(provenance=result.provenance.with_files())
         try:
             more = [*more, *self._write(result, write_table, {"": result} if parts is None else parts)]
-        finally:  # what took long is shown even where a disk is full
+        finally:  # show long computations even if the disk is full
             if self.as_json:
                 from clubface.present.report import json_text
 

@@ -32,7 +32,7 @@ def tour(
     wanted = options.names([averages or DEFAULT_TABLE])
     tables = list(dict.fromkeys(name for each in wanted for name in (TABLES if each == "all" else [each])))
     for each in tables:
-        published_table(each)  # before the work: a name that does not exist is found at once
+        published_table(each)  # checked before the work, so that an unknown name is reported at once
     output = show.Output.check(texts, [texts["ball"]])
     tours = []
     for table in tables:

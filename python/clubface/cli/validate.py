@@ -38,7 +38,7 @@ def validate(
     models = options.model_names(texts["model"], DEFAULT_MODEL)
     checks = options.names(texts["check"]) or None
     for each in checks or ():
-        check_named(each)  # before the work: a name that does not exist is found at once
+        check_named(each)  # checked before the work, so that an unknown name is reported at once
     output = show.Output.check(texts, [texts["ball"], *(session or ())])
     own = own_monitor(session, model=models[0], ball=texts["ball"]).to_result() if session else None
     with progress_bar("checks") as progress:

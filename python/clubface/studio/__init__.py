@@ -1,5 +1,5 @@
-"""The studio's server: it serves the site, and answers its requests on this machine only.
+"""The server of the studio: serves the site and its API on this machine only.
 
-It listens on 127.0.0.1. Nothing is answered without the random token of its address, to another host's name, or to a
-page of another origin. The browser sends bytes of files and names of what the package ships, and never a path.
+It listens on 127.0.0.1. Requests without the random token of its address, with another host name, or from another
+origin are refused. The browser sends contents of files and names of built-in data, never a path.
 """

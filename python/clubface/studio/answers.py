@@ -1,6 +1,6 @@
-"""Answers: results as they describe themselves, mistakes as where, what and what is allowed, and streams of events.
+"""Responses: results as JSON, mistakes with place, reason and what is allowed, and event streams.
 
-Server-sent events tell every tab what changes on threads; a tab that reconnects goes on where it was.
+Server-sent events report changes made by threads to every tab; a tab that reconnects continues where it was.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ __all__ = ["Signal", "answer", "describe_mistake", "document", "event", "event_s
 
 OURS = "this is a bug in clubface, not your mistake; please report it with what the terminal shows"
 ALIVE = 15.0
-"""Time without an event after which a comment is sent, so that a lost connection is noticed [s]."""
+"""Time without an event after which a comment is sent, to detect lost connections [s]."""
 
 
 def document(content: Any, status: int = 200, headers: Mapping[str, str] | None = None) -> Response:
-    """Return JSON, NaN and infinities being null."""
+    """Return a JSON response, with null for NaN and infinities."""
     text = json_text(content, indent=None)
     return Response(text, status, dict(headers or {}), media_type="application/json")
 
 
 def answer(result: Result, status: int = 200, headers: Mapping[str, str] | None = None) -> Response:
-    """Return a result."""
+    """Return a result as a JSON response."""
     return document(result.to_dict(), status, headers)
 
 
 def refusal(status: int, where: str, what: str, allowed: str | None = None) -> JSONResponse:
-    """Return what is wrong, where, and what would have been accepted."""
+    """Return a response that says what is wrong, where, and what is allowed."""
     return JSONResponse({"where": where, "what": what, "allowed": allowed}, status)
 
 
 def describe_mistake(error: BaseException) -> tuple[int, dict[str, str | None]]:
-    """Return the status of an error and what to say of it."""
+    """Return the HTTP status and the description of an error."""
     status, where, what, allowed = 422, "", str(error), None
     if isinstance(error, InputError):
         where, allowed = error.parameter, error.allowed
@@ -57,7 +57,7 @@ def describe_mistake(error: BaseException) -> tuple[int, dict[str, str | None]]:
 
 
 def mistake(error: BaseException, status: int | None = None) -> Response:
-    """Return the answer to a request that ended with an error."""
+    """Return the response to a request that ended with an error."""
     usual, description = describe_mistake(error)
     return Response(json.dumps(description), status or usual, media_type="application/json")
 
@@ -76,7 +76,7 @@ class Signal:
         self._ended = False
 
     def set(self) -> None:
-        """Wake everyone who waits."""
+        """Wake all waiting coroutines."""
         for each, loop in tuple(self._waiting.items()):
             if not loop.is_closed():
                 loop.call_soon_threadsafe(each.set)
@@ -110,9 +110,9 @@ def event_stream(signal: Signal, news: Callable[[], tuple[list[str], bool]]) -> 
     Parameters
     ----------
     signal
-        Set at every change.
+        Signal set at every change.
     news
-        Returns the events since it was called last, and whether they are the last ones.
+        Function that returns the events since its last call, and whether they are the last ones.
     """
 
     async def stream() -> AsyncIterator[str]:

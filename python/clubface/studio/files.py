@@ -1,7 +1,7 @@
 """``api/files``: a launch monitor's file, kept in memory, becomes shots, a report and a golfer.
 
-The file is read as the command line reads one. Computations see its bytes under a bare name, and no other file but
-those that come with the package.
+The file is read as by the command line. Computations see its content under a bare file name, and no other files except
+those of the package.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ __all__ = [
 ]  # fmt: skip
 
 LARGEST = 20_000_000
-"""Largest file [bytes]: a hundred thousand shots."""
+"""Maximum size of a file [bytes]: a hundred thousand shots."""
 MOST_FILES = 8
-"""Number of files kept; the least recently used one makes room."""
+"""Maximum number of files kept; the least recently used one is dropped."""
 LONGEST_NAME = 100
 R = TypeVar("R")
 REPORT_HEADERS = {
@@ -67,11 +67,11 @@ class Upload(NamedTuple):
     Attributes
     ----------
     name
-        Its name without folders.
+        Name without folders.
     content
-        Its bytes.
+        Content [bytes].
     shots
-        What was read of it.
+        Shots read from it.
     """
 
     name: str
@@ -132,7 +132,7 @@ def bare_name(name: str) -> str:
 
 
 async def body_of(request: Request, most: int = LARGEST) -> bytes:
-    """Return the body of a request; one that is too long is cut off."""
+    """Return the body of a request; raise TooLargeError while reading one that is too long."""
     result = bytearray()
     async for piece in request.stream():
         result += piece
@@ -174,7 +174,7 @@ def file_routes(uploads: Uploads) -> list[Route]:
         return answer(await run_in_threadpool(upload.compute, lambda shots: _golfer(shots, asked)))
 
     async def golfer_file(request: Request) -> Response:
-        """Return the file of that golfer."""
+        """Return the TOML file of the golfer."""
         upload, asked = uploads.get(request.path_params["file"]), request.query_params
         player, _ = await run_in_threadpool(upload.compute, lambda shots: estimated(shots, asked))
         return saved(to_toml(player.golfer), "golfer.toml", request, PlainTextResponse, {})
@@ -196,7 +196,7 @@ def report_page(result: Result) -> str:
 
 
 def saved(text: str, name: str, request: Request, kind: Any, headers: Mapping[str, str]) -> Response:
-    """Return a text to be shown, or to be saved under a name if the request has ``save``."""
+    """Return a text for display, or for download under a name if the request has ``save``."""
     saved = {"content-disposition": f'attachment; filename="{name}"'} if "save" in request.query_params else {}
     return kind(text, headers={**headers, **saved})
 

@@ -32,12 +32,12 @@ __all__ = ["BALLS", "asked_of", "fitting_routes"]
 
 BALLS = builtin_names("balls")
 FITTING_SHOTS = (256, 20_000)
-"""Smallest and largest number of shots of a golfer in a fitting."""
+"""Minimum and maximum number of shots of a golfer in a fitting."""
 USUAL_SHOTS = 2000
 LONGEST = 200
-"""Longest name [characters]."""
+"""Maximum length of a name [characters]."""
 MOST_TEXT = 100_000
-"""Largest request for a fitting [bytes]."""
+"""Maximum size of a request for a fitting [bytes]."""
 
 
 def fitting_routes(uploads: Uploads, jobs: StudioJobs) -> list[Route]:
@@ -136,7 +136,7 @@ def _names(asked: Mapping[str, Any], key: str, known: Any) -> list[str]:
 
 
 def asked_of(body: bytes) -> dict[str, Any]:
-    """Return the request's JSON object, after checking that its texts are short."""
+    """Return the JSON object of a request, after checking that its texts are short."""
     try:
         result = json.loads(body)
     except (ValueError, RecursionError):

@@ -17,7 +17,7 @@ from clubface.studio.answers import Signal, describe_mistake, event
 __all__ = ["Cancelled", "StudioJob", "StudioJobs"]
 
 MOST_KEPT = 8
-"""Number of finished jobs that are remembered."""
+"""Maximum number of finished jobs kept."""
 
 
 class Cancelled(BaseException):
@@ -30,13 +30,13 @@ class StudioJob:
     Attributes
     ----------
     identity
-        Its made-up name.
+        Generated name.
     state
         "running", "done", "failed" or "cancelled".
     result
-        What it computed, once it is done.
+        Result, once it is done.
     signal
-        Set at every step of its progress, and at its end.
+        Signal set at every step of its progress and at its end.
     """
 
     def __init__(self, compute: Callable[[StudioJob], Result]) -> None:
@@ -52,14 +52,14 @@ class StudioJob:
         threading.Thread(target=context.run, args=(self._run, compute), name="studio-job", daemon=True).start()
 
     def progress(self, done: int, whole: int, step: str = "") -> None:
-        """Record the progress; raises :class:`Cancelled` if the job was cancelled."""
+        """Record the progress; raise :class:`Cancelled` if the job was cancelled."""
         if self._asked_to_stop.is_set():
             raise Cancelled
         self._done, self._step = (done, whole), step
         self.signal.set()
 
     def cancel(self) -> None:
-        """Cancel the job: compute no further part."""
+        """Cancel the job before its next part."""
         self._asked_to_stop.set()
         if self.state == "running":
             self.state = "cancelled"
@@ -95,7 +95,7 @@ class StudioJob:
 
 
 class StudioJobs:
-    """The computations of this run; one at a time, since each takes the whole machine."""
+    """The computations of this run; one at a time, since each uses the whole machine."""
 
     def __init__(self) -> None:
         self._jobs: OrderedDict[str, StudioJob] = OrderedDict()
@@ -119,7 +119,7 @@ class StudioJobs:
         return self._jobs[identity]
 
     def close(self) -> None:
-        """End all."""
+        """Cancel all computations."""
         for each in tuple(self._jobs.values()):
             each.cancel()
             each.signal.close()

@@ -22,9 +22,9 @@ from clubface.studio.fittings import asked_of
 __all__ = ["LiveSession", "live_routes"]
 
 AT_ONCE = 200
-"""Largest number of shots in an event."""
+"""Maximum number of shots in an event."""
 MOST_TEXT = 1000
-"""Largest request with the player's choices [bytes]."""
+"""Maximum size of a request with the player's choices [bytes]."""
 
 
 class LiveSession:
@@ -84,7 +84,7 @@ def live_routes(session: LiveSession | None) -> list[Route]:
         live = opened()
         last = request.headers.get("last-event-id") or request.query_params.get("after") or "0"
         seen = int(last) if last.isascii() and last.isdecimal() and len(last) < 10 else 0
-        if seen > len(live.shots.shots):  # those of another file
+        if seen > len(live.shots.shots):  # the identifier belongs to another file
             seen = 0
         last_state: dict[str, Any] | None = None
 

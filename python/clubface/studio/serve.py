@@ -1,4 +1,4 @@
-"""The server, on 127.0.0.1 alone: whom it answers, the built site, and under ``api/`` what the package computes."""
+"""The server on 127.0.0.1: access control, the built site, and the computations under ``api/``."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ from clubface.support.version import __version__
 __all__ = ["PORT", "SITE_VARIABLE", "Guard", "make_application", "new_token", "serve", "site_folder", "site_routes"]
 
 HOSTS = ("127.0.0.1", "localhost")
-"""Names under which a browser reaches this machine; requests under other names are refused."""
+"""Host names under which a browser reaches this machine; others are refused."""
 HEADERS = {
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
     "cross-origin-opener-policy": "same-origin",
     "cross-origin-resource-policy": "same-origin",
 }
-"""Headers of every answer; the address, which contains the token, is sent to no other site."""
+"""Headers of every response; the address, which contains the token, is not sent to other sites."""
 CONTENT = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; media-src 'self' blob:; worker-src 'self' blob:; connect-src 'self' blob:; "
@@ -56,18 +56,18 @@ SITE_VARIABLE = "CLUBFACE_STUDIO_SITE"
 """Environment variable for another folder with a built site."""
 INDEX = "index.html"
 KINDS = {".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml"}
-"""Media types by file extension; some systems have others for these."""
+"""Media types by file extension, since some systems register others."""
 MARK = '<meta name="clubface-api" content="api/">'
-"""The line by which a page knows that this server offers more than the static site."""
+"""Line that tells a page that this server offers an API, unlike the static site."""
 NOT_SERVED = ("sw.js",)
-"""Files for offline use of the static site; from this server, they would leave pages without answers once it stops."""
+"""Files for offline use of the static site; here they would keep pages open without a server after it stops."""
 PORT = 8642
 WAITING = 64
-"""Number of connections waiting to be accepted; a browser opens several at once."""
+"""Maximum number of connections waiting to be accepted; a browser opens several at once."""
 SHUTDOWN_TIMEOUT = 2
-"""Time that open connections, such as live shots, have to finish at the end [s]."""
+"""Time allowed for open connections, such as live shots, to finish at shutdown [s]."""
 EXPECTED = (ClubfaceError, ModuleNotFoundError, MemoryError)
-"""Errors that tell the user what to do; all others are printed as well."""
+"""Errors that tell the user what to do; all others are also printed."""
 
 
 def new_token() -> str:
@@ -81,18 +81,18 @@ class Guard:
     Parameters
     ----------
     application
-        Is asked with the token as the root of its paths.
+        Application called with the token as the root of its paths.
     token
         The token.
     close
-        Ends what goes on, such as streams of events, when the server ends.
+        Function that ends running work, such as event streams, at shutdown.
     """
 
     def __init__(self, application: ASGIApp, token: str, close: Callable[[], object] = lambda: None) -> None:
         self._application, self._token, self.close = application, token, close
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer or refuse a request."""
+        """Pass on or refuse a request."""
         if scope["type"] != "http":
             return
         headers = Headers(scope=scope)
@@ -138,7 +138,7 @@ def site_folder(given: str | os.PathLike[str] | None = None) -> Path:
     Raises
     ------
     FileError
-        There is none; the message says what makes one.
+        There is no built site; the message says how to build one.
     """
     named = given if given is not None else os.environ.get(SITE_VARIABLE) or None
     if named is not None:
@@ -190,15 +190,15 @@ def serve(
     Parameters
     ----------
     port
-        The port. 0 takes a free one.
+        The port; 0 chooses a free one.
     site, studies
-        The folder of the built site, and that of studies.
+        Folders of the built site and of studies.
     live
-        The file of live shots.
+        File of live shots.
     on_start
-        Called with the address to open, and the live shots where there are any, once both are there.
+        Function called at the start with the address to open and the live shots, if any.
     links
-        The connections of live shots, as :class:`clubface.shots.live_links.LiveLinks` takes them.
+        Connections of live shots, as for :class:`clubface.shots.live_links.LiveLinks`.
 
     Raises
     ------
@@ -228,7 +228,7 @@ def serve(
 
 
 class _Server(uvicorn.Server):
-    """A server that ends event streams before it waits for open answers."""
+    """A server that ends event streams before it waits for open responses."""
 
     def __init__(self, config: uvicorn.Config, application: Guard) -> None:
         super().__init__(config)
@@ -245,18 +245,18 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
     Parameters
     ----------
     site
-        The folder of the built site.
+        Folder of the built site.
     token
-        What the address must hold.
+        Token required in the address.
     studies
-        The folder of the stores of studies, None for no studies.
+        Folder of the study stores, or None.
     live
-        Live shots, None for none.
+        Live shots, or None.
     """
     uploads, jobs = Uploads(), StudioJobs()
 
     async def offers(request: Request) -> Response:
-        """Return the requests that the API offers."""
+        """Return the services that the API offers."""
         return document({
             "clubface": __version__, "studies": studies is not None, "live": live is not None,
             "largest_file": LARGEST, "formats": [*FORMATS], "clubs": [*CLUB_NAMES], "balls": [*BALLS],
@@ -297,7 +297,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
 
 
 def _in_units(application: ASGIApp) -> ASGIApp:
-    """Return an application that answers in the units given by ``units`` of a request, by default "golf"."""
+    """Wrap an application so that it answers in the units given by ``units`` of a request, by default "golf"."""
 
     async def answer_in_units(scope: Scope, receive: Receive, send: Send) -> None:
         with read_in(Request(scope).query_params.get("units", "golf")):

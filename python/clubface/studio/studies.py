@@ -23,7 +23,7 @@ from clubface.studio.files import REPORT_HEADERS, report_page, saved
 __all__ = ["study_routes"]
 
 MOST = 500
-"""Largest number of studies listed."""
+"""Maximum number of studies listed."""
 
 
 def study_routes(folder: Path | None) -> list[Route]:
