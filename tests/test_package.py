@@ -81,7 +81,7 @@ def test_an_old_name_of_a_module_goes_on_working_and_names_the_new_one(old, new)
         "print([(each.category.__name__, each.filename, str(each.message)) for each in caught])"
     )
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    message = f"clubface.{old} is called clubface.{new} now; version {GONE_WITH} has the new name alone"
+    message = f"clubface.{old} is called clubface.{new} now; version {GONE_WITH} drops the old name"
     warning = ("DeprecationWarning", "<string>", message)
     assert result.stdout.strip() == str([warning])
 

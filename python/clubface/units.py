@@ -212,7 +212,7 @@ def parse_values(value: object, dimension: str, *, name: str = "value") -> float
     return np.where(missing, math.nan, result) if missing.any() else result
 
 
-_ONE_LENGTH = "a number or an array, whose rows are of one length"
+_ONE_LENGTH = "a number or an array with rows of equal length"
 _FEW_DIMENSIONS = f"one of at most {MOST_DIMENSIONS}"
 
 

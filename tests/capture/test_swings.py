@@ -203,5 +203,5 @@ def test_the_error_bars_of_a_delivery_are_the_quantiles_of_its_normal_distributi
     for seed in (-1, 1.5, "a", None):
         with pytest.raises(InputError, match="seed"):
             result.sample(3, seed=seed)
-    with pytest.raises(InputError, match="memory free here"):
+    with pytest.raises(InputError, match="free memory"):
         result.sample(2**32)

@@ -105,7 +105,7 @@ def test_options_reach_the_fit(clubface_, drives):
         ),
         (
             ("drives.csv", "--club", "own.toml", "-o", "./own.toml"),
-            ("--output", "a file other than those that are read"),
+            ("--output", "a file other than the inputs"),
         ),
         (("drives.csv", "--model", "fem"), ("fem", "volumetric")),
         (("swing.c3d",), ("swing.c3d", "clubface capture read")),

@@ -66,7 +66,7 @@ MISTAKES = [
     (
         "[[masses]]",
         WEIGHT + "[[masses]]",
-        "own.toml:34: name of mass weight is 'weight'; it must be a name that no other has",
+        "own.toml:34: name of mass weight is 'weight'; it must be unique",
     ),
     ("[[masses]]", '[[groups]]\nname = "hosel"\nthickness = "2 mm"\n[[masses]]', "belongs to the group 'hosel'"),
     ('unit = "mm"', 'unit = "mm"\nface_centre = [50, 0, 0]', "the nearest node of the face is"),

@@ -124,7 +124,7 @@ def test_a_key_may_have_an_old_name_that_is_read_with_a_warning():
         ('"8 mm"', "true", 9, "grass.length is True; it must be a finite number"),
         ("[grass]", "[[grass]]", 8, "grass is [{'length': '8 mm'}]; it must be a table: [grass]"),
         ('"80 mm"', '"8 m"', 17, "height of peg tall is '8000 mm'; it must be 0 to 100 mm"),
-        ('"tall"', '"short"', 16, "name of peg short is 'short'; it must be a name that no other has"),
+        ('"tall"', '"short"', 16, "name of peg short is 'short'; it must be unique"),
     ],
 )
 def test_a_mistake_is_described_with_file_line_key_value_and_what_is_allowed(old, new, line, words):

@@ -41,7 +41,7 @@ BAD = [
     ({"speed": [50.0, -1.0], "on_error": "ignore"}, "on_error", "raise, nan"),
     ({"speed": 50.0, "on_error": "ignore"}, "on_error", "raise, nan"),
     ({"speed": "113 mhp"}, "speed", "'113 mhp'; it must be in m/s or mph or km/h or ft/s (did you mean mph"),
-    ({"speed": [[50.0, 51.0], [52.0]]}, "speed", "of one length"),
+    ({"speed": [[50.0, 51.0], [52.0]]}, "speed", "of equal length"),
     ({"speed": np.ma.masked_greater([50.0, 51.0], 50.0)}, "speed", "shot 1: speed: NaN"),
     ({"speed": 50.0, "model": None}, "model", "at least one of response, standard"),
     ({"speed": 50.0, "model": "area", "accuracy": "fine"}, "accuracy", "finite number"),
@@ -89,7 +89,7 @@ def test_bad_shots_may_stay_nan_and_leave_the_others_alone():
 def test_a_request_larger_than_memory_is_refused_before_anything_is_allocated():
     """A million by a million shots are 176 TB; the views that ask for them hold 16 MB."""
     column, row = np.full((1_000_000, 1), 50.0), np.zeros((1, 1_000_000))
-    with pytest.raises(InputError, match=r"at most \d+ with the memory free here .*predict"):
+    with pytest.raises(InputError, match=r"at most \d+ with the free memory .*predict"):
         clubface.impact("driver", speed=column, toe=row)
 
 
@@ -105,7 +105,7 @@ def test_a_view_larger_than_memory_is_refused_before_it_is_copied():
         "air": lambda: clubface.fly({"ball_speed": 70.0, "launch": 0.2}, air={"altitude": many}),
     }
     for ask in asked.values():
-        with pytest.raises(InputError, match="memory free here"):
+        with pytest.raises(InputError, match="free memory"):
             ask()
 
 

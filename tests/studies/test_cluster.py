@@ -79,7 +79,7 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
         # A chunk that the killed worker had stored and not yet told of is found when it is given again.
         assert done.computed in (9, 10)
         assert done.missing == 10
-        with pytest.raises(ClubfaceError, match=r"is gone, the scheduler of the cluster; .* of 20 chunks are done and"):
+        with pytest.raises(ClubfaceError, match=r"is lost: the scheduler of the cluster .*; .* of 20 chunks are done and"):
             studies.run(path, scheduler=address, progress=at(3, boss.kill))
     done = studies.run(path)
     assert 0 < done.computed <= 7
@@ -185,7 +185,7 @@ def test_a_scheduler_that_is_silent_for_a_while_is_waited_for(monkeypatch):
     silent = Silent({})
     silent.status = "connecting"
     begun = time.monotonic()
-    with pytest.raises(LinkError, match="is gone, the scheduler of the cluster"):
+    with pytest.raises(LinkError, match="is lost: the scheduler of the cluster"):
         computed_by(silent)
     assert time.monotonic() - begun > 0.3
 
@@ -196,6 +196,6 @@ def test_a_scheduler_that_has_closed_is_not_waited_for(monkeypatch):
     silent = Silent({})
     silent.status = "closed"
     begun = time.monotonic()
-    with pytest.raises(LinkError, match="is gone, the scheduler of the cluster"):
+    with pytest.raises(LinkError, match="is lost: the scheduler of the cluster"):
         computed_by(silent)
     assert time.monotonic() - begun < 60.0

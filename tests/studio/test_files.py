@@ -160,7 +160,7 @@ def test_the_oldest_file_makes_room(studio):
     for _ in range(MOST_FILES):
         added(studio, TRACKMAN)
     answer = studio.get(f"{first}/shots")
-    assert (answer.status_code, answer.json()["allowed"]) == (422, "one that is still open here: choose the file again")
+    assert (answer.status_code, answer.json()["allowed"]) == (422, "a file that is still open here; choose it again")
 
 
 @settings(max_examples=60)

@@ -102,7 +102,7 @@ def test_a_fitting_is_cancelled_and_another_may_begin(studio):
     asked = {"clubs": ["3-wood", "5-wood", "hybrid"], "balls": ["modern", "distance", "reference"], "shots": 20_000}
     job = studio.post(f"{place}/fittings", json=asked | {"loft": "2 deg"}).json()["job"]
     refused = studio.post(f"{place}/fittings", json=asked)
-    assert refused.json()["what"] == "fitting is running; leave it to its end, or cancel it"
+    assert refused.json()["what"] == "fitting is running; leave it to finish, or cancel it"
     assert studio.delete(f"api/jobs/{job}").json()["state"] == "cancelled"
     (end,) = [data for name, data in events_of(studio, job) if name == "end"]
     assert (end["state"], end["result"]) == ("cancelled", None)

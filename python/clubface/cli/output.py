@@ -61,13 +61,13 @@ def check_target(name: str, target: str | None, kinds: Sequence[str], inputs: It
         raise InputError(name, target, "a file, not a folder")
     for given in inputs:
         if given is not None and path.exists() and os.path.exists(given) and path.samefile(given):
-            raise InputError(name, target, "a file other than those that are read")
+            raise InputError(name, target, "a file other than the inputs")
 
 
 def check_not_read(target: str | None) -> None:
     """Raise InputError for an ``--output`` that the command has read, such as a club file named in a study."""
     if target is not None and place_of(target) in {each.place for each in recorded_files()}:
-        raise InputError("--output", target, "a file other than those that are read")
+        raise InputError("--output", target, "a file other than the inputs")
 
 
 def check_picture(target: str | None, inputs: Iterable[str | None] = ()) -> None:

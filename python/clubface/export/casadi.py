@@ -82,14 +82,14 @@ def casadi_source(
     for name in names:
         if name in fixed or names.count(name) > 1:
             both = "both given and a variable" if name in fixed else "a variable twice"
-            raise InputError(name, Wording(both), "either a value that stays fixed or one variable")
+            raise InputError(name, Wording(both), "either a fixed value or one variable")
     described = reduced_model(model, "one with derivatives")
     impact = LaunchFunction(
         club, fixed, names, model=model, parameters=parameters, ball=ball, accuracy=accuracy, hand=hand,
         outputs=quantities,
     )  # fmt: skip
     if impact.shape:
-        raise InputError("delivery", Wording("an array"), "single numbers: what varies is a variable")
+        raise InputError("delivery", Wording("an array"), "single numbers; name what varies in variables")
     parameter_names = tuple(each.name for each in described.parameters)
     known = {**inputs(), **{each.name: each for each in described.parameters}}
     numbers = {

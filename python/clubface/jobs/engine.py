@@ -106,7 +106,7 @@ def run(
 
 def interrupted(done: int, whole: int, what: str, folder: Path | None) -> KeyboardInterrupt:
     """Return the error with the progress of the interrupted work and where it is stored."""
-    kept = "" if folder is None or not done else f"; they are in {folder}, and the same command goes on after them"
+    kept = "" if folder is None or not done else f"; they are in {folder}, and the same command continues from there"
     return KeyboardInterrupt(f"{done} of {whole} {what} are done{kept}")
 
 

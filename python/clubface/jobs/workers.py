@@ -311,7 +311,7 @@ def _on_client(client: Any, parts: Iterable[P], compute: Callable[[P], R], addre
         if client.status == "running":
             answered = time.monotonic()
         elif time.monotonic() - answered > SCHEDULER_TIMEOUT or client.status == "closed":
-            raise LinkError(address, "is gone, the scheduler of the cluster")
+            raise LinkError(address, "is lost: the scheduler of the cluster has stopped")
 
     completed = _completed(iter(parts), lambda part: executor.submit(compute, part), width, again=again, check=check)
     for part, future in completed:

@@ -164,7 +164,7 @@ class Document:
             if "int_max_str_digits" in message:
                 message = "a whole number has thousands of digits"
             elif message.startswith(TWICE):
-                message = "what this line sets or opens is set or opened before"
+                message = "the key or table of this line is defined twice"
             raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
         for key, value in self.data.items():
             if flaw := _flaw_of(value):
@@ -235,7 +235,7 @@ def _flaw_of(value: Any) -> str:
     if isinstance(value, dict | list):
         return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
     if isinstance(value, int) and value not in INTEGERS:
-        return "a whole number of more than 64 bits, which TOML does not have"
+        return "a whole number of more than 64 bits, which TOML does not allow"
     return ""
 
 

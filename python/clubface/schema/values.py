@@ -390,7 +390,7 @@ class Tables(Value):
             with at.errors():
                 if isinstance(name, str):
                     if name in names:
-                        raise at.key("name").invalid(name, "a name that no other has")
+                        raise at.key("name").invalid(name, "unique")
                     names.add(name)
                 tables.append(self.table.read(each, at))
         return tuple(tables)

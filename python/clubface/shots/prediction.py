@@ -202,7 +202,7 @@ def run(
                 if progress is not None:
                     progress(table.progress(), done)
         except KeyboardInterrupt:
-            message = f"interrupted: {done} rows are done and kept in {folder}; the same command goes on after them"
+            message = f"interrupted: {done} rows are done and kept in {folder}; the same command continues from there"
             raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
         if not done:
             raise FileError(table.path, table.header_line, "there is no delivery below the names of the columns")

@@ -344,7 +344,7 @@ def run(
         finished = sum(present[chunk] for chunk in mine)
         kept = f"{finished} of {len(mine)} chunks are done and kept in {folder}"
         if isinstance(stop, KeyboardInterrupt):
-            raise KeyboardInterrupt(f"{kept}; the same command goes on after them") from None
+            raise KeyboardInterrupt(f"{kept}; the same command continues from there") from None
         # Other parts are from other runs, such as other shards, and may have results.
         if fresh and not results and sum(present) == done:
             opened.remove()

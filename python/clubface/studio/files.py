@@ -108,7 +108,7 @@ class Uploads:
         """Return a file."""
         with self._lock:
             if identity not in self._files:
-                raise InputError("file", identity, "one that is still open here: choose the file again")
+                raise InputError("file", identity, "a file that is still open here; choose it again")
             self._files.move_to_end(identity)
             return self._files[identity]
 

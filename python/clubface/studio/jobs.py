@@ -105,7 +105,7 @@ class StudioJobs:
         """Start a computation."""
         with self._lock:
             if any(each.state == "running" for each in self._jobs.values()):
-                raise InputError("fitting", Wording("running"), "leave it to its end, or cancel it")
+                raise InputError("fitting", Wording("running"), "leave it to finish, or cancel it")
             job = StudioJob(compute)
             self._jobs[job.identity] = job
             while len(self._jobs) > MOST_KEPT:

@@ -121,12 +121,12 @@ class Guard:
         host = headers.get("host", "")
         name, _, port = host.partition(":")
         if name not in HOSTS or (port and not port.isdecimal()) or len(headers.getlist("host")) != 1:
-            return refusal(421, "Host", "this studio answers to 127.0.0.1 and localhost alone")
+            return refusal(421, "Host", "this studio answers only to 127.0.0.1 and localhost")
         origin = headers.get("origin")
         if origin is not None and origin != f"http://{host}":
-            return refusal(403, "Origin", "this studio answers its own pages alone")
+            return refusal(403, "Origin", "this studio answers only its own pages")
         if headers.get("sec-fetch-site", "none") not in ("same-origin", "none"):
-            return refusal(403, "Sec-Fetch-Site", "this studio answers its own pages alone")
+            return refusal(403, "Sec-Fetch-Site", "this studio answers only its own pages")
         if not secrets.compare_digest(root.encode("utf-8", "replace"), self._token.encode()):
             return refusal(403, "address", "open the whole address that clubface studio printed")
         return None
@@ -274,7 +274,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
 
     async def http_error(request: Request, error: Exception) -> Response:
         status = error.status_code if isinstance(error, HTTPException) else 404
-        return refusal(status, request.url.path, "nothing is answered under this address in this way")
+        return refusal(status, request.url.path, "this address does not support the request")
 
     api = [
         Route("/", offers), *file_routes(uploads), *fitting_routes(uploads, jobs), *study_routes(studies),

@@ -330,7 +330,7 @@ def unreadable(name: str, error: Exception) -> FileError:
     if isinstance(error, IsADirectoryError):
         reason = "this is a folder"
     elif "\0" in name:
-        reason = "no name of a file has the character \\u0000"
+        reason = "a file name cannot contain the character \\u0000"
     return FileError(name, None, f"cannot be read: {reason}")
 
 
@@ -450,7 +450,7 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
     """
     target = Path(os.path.realpath(path))
     if os.fspath(target) in {each.place for each in recorded_files()}:
-        raise FileError(os.fspath(path), None, "this must be a file other than those that are read")
+        raise FileError(os.fspath(path), None, "this is an input of the command; give another file")
     try:
         mode = _mode_of(target, new)
         fresh = (folder or target.parent) / f".{target.stem[:100]}-{os.urandom(6).hex()}{target.suffix}"

@@ -54,7 +54,7 @@ def answered(file: str, function: str, arguments: Any, functions: dict[str, dict
     except ModuleNotFoundError as error:
         return "missing", error.name
     except MemoryError:
-        return "error", "it needs more memory than any such file"
+        return "error", "it needs more memory than any valid file"
     except (Exception, SystemExit) as error:
         return "error", " ".join(str(error).split()) or type(error).__name__
 

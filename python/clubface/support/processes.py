@@ -174,7 +174,7 @@ def check_request(shots: int, bytes_a_shot: int) -> None:
         raise InputError(
             "the number of shots",
             shots,
-            f"at most {fit} with the memory free here ({needed / 1e9:.1f} GB needed): compute it in pieces, or from"
+            f"at most {fit} with the free memory ({needed / 1e9:.1f} GB needed); compute them in batches, or from"
             " a file of any length with clubface.predict",
         )
 

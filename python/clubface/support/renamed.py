@@ -21,7 +21,7 @@ T = TypeVar("T")
 
 def warn_renamed(old: str, new: str) -> None:
     """Warn once per process that a name has changed."""
-    warn_once(f"{old} is called {new} now; version {GONE_WITH} has the new name alone", DeprecationWarning)
+    warn_once(f"{old} is called {new} now; version {GONE_WITH} drops the old name", DeprecationWarning)
 
 
 def renamed_names(module: str, **names: str) -> Callable[[str], Any]:
