@@ -79,7 +79,9 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
         # A chunk that the killed worker had stored and not yet told of is found when it is given again.
         assert done.computed in (9, 10)
         assert done.missing == 10
-        with pytest.raises(ClubfaceError, match=r"is lost: the scheduler of the cluster .*; .* of 20 chunks are done and"):
+        with pytest.raises(
+            ClubfaceError, match=r"is lost: the scheduler of the cluster .*; .* of 20 chunks are done and"
+        ):
             studies.run(path, scheduler=address, progress=at(3, boss.kill))
     done = studies.run(path)
     assert 0 < done.computed <= 7
