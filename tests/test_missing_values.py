@@ -127,7 +127,7 @@ def test_where_nothing_can_be_left_out_a_missing_value_is_refused(entry, contain
 
 @pytest.mark.parametrize("container", NO_NUMBERS)
 @pytest.mark.parametrize("entry", ENTRIES | REFUSING)
-def test_what_is_no_number_is_refused_with_the_name_of_the_argument(entry, container):
+def test_values_without_numbers_are_refused_with_the_name_of_the_argument(entry, container):
     given = NO_NUMBERS[container]()
     if entry == "a parameter" and container in ("digits without a unit", "an array of digits"):
         pytest.skip("a parameter without a unit")

@@ -96,7 +96,7 @@ def test_uncommitted_files_keep_a_release_back(sources, capsys):
     assert "not tracked" in capsys.readouterr().err
 
 
-def test_a_version_that_is_none_is_refused(capsys):
+def test_an_invalid_version_is_refused(capsys):
     with pytest.raises(SystemExit):
         release.main(["v0.2"])
     assert "three numbers" in capsys.readouterr().err

@@ -61,7 +61,7 @@ def test_a_face_that_was_not_square_at_address_is_off_by_that_much_at_impact():
     assert result.uncertainty["face"] > np.radians(1.9)
 
 
-def test_every_result_tells_what_was_assumed_and_how_widely():
+def test_every_result_lists_its_assumptions_and_their_width():
     swing, recorded = bare(5)
     result = read(swing, recorded)
     assert known(result, "face angle at address") == Known(
@@ -96,7 +96,7 @@ def test_measured_markers_and_the_sole_make_the_place_certain():
     assert floating.uncertainty["speed"] > guessed.uncertainty["speed"]
 
 
-def test_positions_that_contradict_the_address_are_told():
+def test_positions_that_contradict_the_address_are_noted():
     swing, recorded = bare(5)
     turned = {name: (x, z, y) for name, (x, y, z) in recorded.cluster.items()}
     result = read(swing, recorded, cluster=turned, accuracy=1e-3)
@@ -192,7 +192,7 @@ def test_a_position_without_accuracy_is_not_taken_to_be_exact():
     assert result.uncertainty["loft"] > capture(recording, prepare(mapping, swing.club)).uncertainty["loft"]
 
 
-def test_a_ball_far_from_where_the_head_is_slowed_is_told():
+def test_a_ball_far_from_where_the_head_slows_is_noted():
     swing, recording, mapping = guessed_ball(1, 0.15, ball_accuracy=0.01)
     (contradiction,) = noted(capture(recording, prepare(mapping, swing.club)), "capture-contradicts-ball")
     assert contradiction["surprise"] > 2.5
@@ -236,7 +236,7 @@ def test_a_file_without_an_address_says_what_to_do():
     assert capture(late, prepare(bare_map(swing.club, CAMERAS, "swing"), swing.club)).delivery.speed > 40.0
 
 
-def test_an_axis_or_a_hand_that_is_wrong_is_told_where_nothing_else_contradicts_it():
+def test_a_wrong_axis_or_hand_is_noted_where_nothing_else_contradicts_it():
     swing, recorded = bare(5)
     assert not {"capture-path", "capture-face-opens"} & codes(read(swing, recorded))
     assert "capture-path" in codes(read(swing, recorded, target="+x"))
@@ -298,7 +298,7 @@ def test_a_mapping_that_lacks_its_calibration_says_which_there_are(changes, mess
         ("S.C1 = 'seen'", r"map\.toml:2: cluster.S is .* in quotes"),
     ],
 )
-def test_a_line_that_cannot_be_used_is_told_with_what_to_write(line, message):
+def test_a_line_that_cannot_be_used_is_reported_with_what_to_write(line, message):
     with pytest.raises(FileError, match=message):
         MarkerMap.from_text(f"[cluster]\n{line}\n", "map.toml")
 

@@ -37,7 +37,7 @@ def test_a_path_of_its_own_family_is_continued_exactly(estimate, degree, frames)
     assert result.rate[0] == pytest.approx(coefficients[1], abs=1e-8)
 
 
-def test_p1s_extrapolation_worked_by_hand():
+def test_linear_extrapolation_is_that_worked_by_hand():
     """Positions t^2 at -4, -3, -2, -1 frames: 16, 9, 4, 1; central velocities -6 at -3 and -4 at -2."""
     times = np.array([-4.0, -3.0, -2.0, -1.0]) * TIME
     coordinates = np.repeat(np.array([16.0, 9.0, 4.0, 1.0])[:, None], 6, axis=1)

@@ -87,7 +87,7 @@ def test_the_unit_of_length_is_the_files_unless_another_is_given(file, recording
         read_c3d(file, unit="deg")
 
 
-def test_empty_cut_and_foreign_files_are_told_apart(file, tmp_path):
+def test_empty_cut_and_foreign_files_are_distinguished(file, tmp_path):
     content = file.read_bytes()
     spoiled = tmp_path / "spoiled.c3d"
     for kept, message in (
@@ -198,7 +198,7 @@ def test_the_template_is_a_mapping():
         ("[ball]", "[ball", None, "this is not TOML"),
     ],
 )
-def test_a_mistake_in_a_mapping_is_told_with_its_line(old, new, line, message):
+def test_a_mistake_in_a_mapping_is_reported_with_its_line(old, new, line, message):
     text = template()
     assert old in text
     with pytest.raises(FileError, match=message) as caught:

@@ -207,7 +207,7 @@ def test_a_swing_without_noise_is_not_taken_for_one_that_was_filled(rate):
     assert not filled((recorded.positions * 1e3).astype(np.float32).astype(np.float64) / 1e3, rate).any()
 
 
-def test_an_axis_is_said_to_be_wrong_only_with_one_that_makes_the_delivery_plausible():
+def test_an_axis_is_doubted_only_if_another_makes_the_delivery_plausible():
     with pytest.raises(FileError, match=r"\+z as the target axis gives a plausible delivery"):
         capture(RECORDING, prepare(MAPPING, "driver", target="-z"))
     result = capture(RECORDING, prepare(MAPPING, "driver", target="+z"))

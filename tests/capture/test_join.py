@@ -115,7 +115,7 @@ def test_the_alignment_costs_no_more_than_any_other(seed, rows, columns):
     assert total == pytest.approx(least(0, 0), abs=1e-9)
 
 
-def test_what_cannot_be_paired_is_told():
+def test_swings_that_cannot_be_paired_are_reported():
     captured, measured = both(5)
     bare = RecordedShots(
         deliveries={"loft": captured.deliveries["loft"]},

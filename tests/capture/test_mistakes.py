@@ -45,7 +45,7 @@ def still_ball(positions):
     return positions
 
 
-def test_the_swing_by_itself_has_nothing_to_be_told():
+def test_an_undisturbed_swing_has_no_notes():
     assert read().notes == ()
     assert read().frames == (IMPACT, IMPACT + 1)  # counted from 1
 
@@ -158,7 +158,7 @@ def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
     assert result[2].touch == pytest.approx(result[0].touch, abs=1e-9)
 
 
-def test_exchanged_and_stray_markers_are_mended_and_told():
+def test_exchanged_and_stray_markers_are_repaired_and_noted():
     def mixed(positions):
         positions[IMPACT - 8 : IMPACT + 1, [0, 2]] = positions[IMPACT - 8 : IMPACT + 1, [2, 0]]
         positions[IMPACT - 20, 4] += 0.05
@@ -259,7 +259,7 @@ def test_an_impact_off_the_face_is_noted():
     assert (off["face_width"], off["face_height"]) == (0.105, 0.055)
 
 
-def test_a_moved_marker_is_told():
+def test_a_moved_marker_is_noted():
     cluster = dict(MAPPING.cluster)
     x, y, z = cluster["HEAD3"]
     cluster["HEAD3"] = (x + 0.005, y, z)

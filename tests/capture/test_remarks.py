@@ -130,5 +130,5 @@ def test_a_flight_that_the_delivery_cannot_give_is_noted(change, codes):
             assert ratio == pytest.approx(change.get("faster", 1.0))
 
 
-def test_without_a_flight_nothing_is_said_of_it():
+def test_without_a_flight_there_is_no_note_on_it():
     assert list(launch_notes(si(USUAL), DRIVER, None, None, 1.0)) == []

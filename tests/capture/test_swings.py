@@ -32,7 +32,7 @@ def test_without_noise_the_delivery_is_read_to_a_twentieth_of_a_degree(club, han
         assert result.notes == ()
 
 
-def test_p1s_extrapolation_is_off_by_what_the_path_bends_in_a_frame():
+def test_linear_extrapolation_errs_by_the_bend_of_the_path_in_a_frame():
     result = [captured(swing, Cameras(), estimator="linear") for swing in swings(12)]
     off = np.array([errors(each, swing) for each, swing in zip(result, swings(12), strict=True)])
     high = off[:, QUANTITIES.index("high")]

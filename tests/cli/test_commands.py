@@ -88,7 +88,7 @@ def test_a_new_club_is_a_club_that_passes_the_check(clubface_, tmp_path):
     assert clubface_("shot", str(file), *shot).rows() == clubface_("shot", "driver", *shot).rows()
 
 
-def test_the_check_of_a_club_tells_what_the_rules_say_of_it(clubface_, tmp_path):
+def test_the_check_of_a_club_includes_the_rules(clubface_, tmp_path):
     file = tmp_path / "heavy.toml"
     changes = "iyy=5950 g cm2, characteristic_time=230 us"
     assert clubface_("club", "new", "heavy", "--set", changes, "-o", str(file)).status == 0
@@ -160,7 +160,7 @@ def test_a_new_club_may_differ_from_the_one_it_starts_from(clubface_):
         ("cg_x", "name=value"),
     ],
 )
-def test_a_wrong_change_of_a_new_club_is_told(clubface_, change, message):
+def test_an_impossible_change_of_a_new_club_is_reported(clubface_, change, message):
     assert_mistake(clubface_("club", "new", "--set", change), message)
 
 
@@ -170,7 +170,7 @@ def test_a_file_that_exists_is_not_overwritten(clubface_, write):
     assert file.read_text() == "precious"
 
 
-def test_a_bad_club_file_is_told_with_its_line(clubface_, write):
+def test_a_bad_club_file_is_reported_with_its_line(clubface_, write):
     file = write(clubface.Club.template().replace('mass = "204 g"', 'mass = "-204 g"'), "bad.toml")
     line = next(i for i, text in enumerate(file.read_text().splitlines(), 1) if text.startswith("mass"))
     assert_mistake(clubface_("club", "check", str(file)), f"bad.toml:{line}:", "mass")

@@ -206,7 +206,7 @@ def test_too_many_combinations_are_refused(clubface_):
     assert_mistake(clubface_("compare", *clubs, "--speed", "105 mph", *arguments), "at most 24")
 
 
-def test_clubs_that_differ_in_nothing_are_said_to(clubface_, tmp_path):
+def test_equal_clubs_are_noted(clubface_, tmp_path):
     same = tmp_path / "same.toml"
     assert clubface_("club", "new", "same", "-o", str(same)).status == 0
     ran = clubface_("compare", "driver", str(same), "--speed", "105 mph", "--json")

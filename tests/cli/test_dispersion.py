@@ -58,7 +58,7 @@ def test_the_table_tells_percentiles_ellipses_strokes_and_shares(clubface_):
     assert "carry" not in clubface_("dispersion", "tour-driver", "--count", "64", "--no-flight").out
 
 
-def test_a_club_of_another_kind_and_a_range_that_is_left_are_told_once(clubface_):
+def test_a_mismatched_club_and_an_exceeded_range_are_noted_once(clubface_):
     ran = clubface_("dispersion", "women-15-driver", "--club", "7-iron", *FEW)
     assert ran.err.count("delivers a driver, not a 7-iron") == 1
     assert clubface_("dispersion", "women-15-driver", "--model", "adjusted", *FEW).err.count("outside the range") == 1
@@ -96,7 +96,7 @@ def test_a_golfer_is_estimated_from_a_file_and_can_be_hit_with(clubface_, tmp_pa
     assert written.json["values"]["name"] == "mine"
 
 
-def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_delivers(clubface_, tmp_path):
+def test_a_club_of_other_loft_is_noted_as_hit_with_the_golfers_delivered_loft(clubface_, tmp_path):
     head = tmp_path / "head.toml"
     assert clubface_("club", "new", "head", "--like", "driver", "-o", str(head)).status == 0
     assert "dynamic loft" not in clubface_("dispersion", "tour-driver", "--club", str(head), *FEW).err
@@ -106,14 +106,14 @@ def test_a_club_of_other_loft_is_said_to_be_hit_with_the_loft_that_the_golfer_de
     assert "with the dynamic loft of driver" in message
 
 
-def test_a_monitor_that_sees_the_ball_alone_tells_no_golfer(clubface_, tmp_path):
+def test_ball_data_alone_make_no_golfer(clubface_, tmp_path):
     file = tmp_path / "ball.csv"
     file.write_text("ball_speed_mph,launch_deg\n" + "".join(f"{130 + one},12\n" for one in range(20)))
     ran = clubface_("golfer", "estimate", str(file), "--club", "driver")
     assert_mistake(ran, "session is without club speed", "golfer list")
 
 
-def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_path):
+def test_a_golfer_with_a_custom_club_hits_that_club(clubface_, tmp_path):
     shots, head, mine = (tmp_path / name for name in ("shots.csv", "head.toml", "mine.toml"))
     assert clubface_("club", "new", "-o", str(head)).status == 0
     steps = np.random.default_rng(1).standard_normal((30, 2))
@@ -132,7 +132,7 @@ def test_a_golfer_of_a_club_of_ones_own_is_hit_with_that_club(clubface_, tmp_pat
         ('toe = "9 cm"', "toe: impact at 90.0"),
     ],
 )
-def test_a_mean_that_cannot_be_hit_is_told_of_the_golfer_and_not_of_an_option(clubface_, tmp_path, mean, words):
+def test_an_impossible_mean_is_blamed_on_the_golfer_and_not_on_an_option(clubface_, tmp_path, mean, words):
     file = tmp_path / "robot.toml"
     speed = "" if mean.startswith("speed") else 'speed = "95 mph"\n'
     file.write_text(f'title = "robot"\n[mean]\n{mean}\n{speed}[spread]\n')
@@ -162,7 +162,7 @@ def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread,
     assert ("What spreads the shots" in out) == shares
 
 
-def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
+def test_the_best_loft_is_given_by_speed_and_beside_a_chart(clubface_):
     tables = clubface_("best-loft", "--speed", "100 mph", "--attack", "0 deg", "--json").json["tables"]
     assert tables["best_lofts"]["rows"][0]["loft_deg"] == pytest.approx(14.3, abs=1.5)
     tables = clubface_("best-loft", "--chart", "trackman", "--json").json["tables"]
@@ -203,5 +203,5 @@ def test_the_best_loft_is_told_by_speed_and_beside_a_chart(clubface_):
         (("golfer", "estimate", "nowhere.csv", "--club", "driver"), ("nowhere.csv",)),
     ],
 )
-def test_a_mistake_is_told_in_one_line(clubface_, arguments, words):
+def test_a_mistake_is_reported_in_one_line(clubface_, arguments, words):
     assert_mistake(clubface_(*arguments), *words)

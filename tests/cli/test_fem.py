@@ -223,7 +223,7 @@ def test_a_shot_by_two_models_and_its_picture(clubface_, tmp_path):
     assert (tmp_path / "shot.png").exists()
 
 
-def test_what_finite_elements_lack_is_refused():
+def test_options_without_meaning_for_finite_elements_are_refused():
     shot = {"speed": 48.0}
     with pytest.raises(InputError, match="contact model"):
         clubface.history("driver", shot, model="fem")

@@ -48,7 +48,7 @@ def files(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_the_best_head_is_told_drawn_and_written(clubface_, files):
+def test_the_best_head_is_printed_drawn_and_written(clubface_, files):
     best, picture = files / "best.toml", files / "search.svg"
     ran = clubface_("fem", "design", str(files / "study.toml"), "-o", str(best), "--plot", str(picture))
     assert ran.status == 0
@@ -88,7 +88,7 @@ def test_a_document_has_everything(clubface_, files):
         ("designs = 3", "designs = 1", "designs is 1"),
     ],
 )
-def test_mistakes_are_told_in_one_line(clubface_, files, old, new, message):
+def test_mistakes_are_reported_in_one_line(clubface_, files, old, new, message):
     path = files / "study.toml"
     path.write_text(STUDY.replace(old, new))
     assert_mistake(clubface_("fem", "design", str(path)), message)
@@ -125,7 +125,7 @@ def test_the_best_head_of_a_mesh_is_read_from_another_folder(clubface_, files):
     assert "characteristic_time" in best.read_text()
 
 
-def test_a_group_that_the_mesh_does_not_have_is_told_in_one_line(clubface_, files):
+def test_a_group_that_the_mesh_does_not_have_is_reported_in_one_line(clubface_, files):
     (files / "head.msh").write_text(gmsh_2(coarse_walls()))
     (files / "head.toml").write_text(OWN_HEAD)
     (files / "study.toml").write_text(STUDY.replace("face_centre", "hosel"))

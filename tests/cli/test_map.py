@@ -58,7 +58,7 @@ def test_json_has_the_maps_asked_for(clubface_):
     assert document["tables"]["best_points"]["rows"][0]["effective_area_mm2"] == pytest.approx(1e6 * result.area())
 
 
-def test_a_difference_is_told_for_both_clubs(clubface_, stable):
+def test_a_difference_is_printed_for_both_clubs(clubface_, stable):
     ran = clubface_("map", stable, "--minus", "driver", *SHOT, "--quantity", "ball_speed", "--spread", "12 mm x 9 mm")
     assert ran.status == 0, ran.err
     assert ran.out.startswith("stable less driver")

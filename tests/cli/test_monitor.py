@@ -26,7 +26,7 @@ DATA = Path(__file__).parents[1] / "data" / "launch_monitors"
 MPH = 0.44704
 
 
-def test_a_file_becomes_one_table_and_the_rejected_rows_are_told(clubface_, tmp_path):
+def test_a_file_becomes_one_table_and_its_rejected_rows_are_reported(clubface_, tmp_path):
     out, rejects = tmp_path / "shots.csv", tmp_path / "rejects.csv"
     ran = clubface_("monitor", "read", str(DATA / "trackman.csv"), "-o", str(out), "--rejects", str(rejects))
     assert ran.status == 0
@@ -100,7 +100,7 @@ def test_layouts_are_listed_and_shown(clubface_):
     assert [each["positive"] for each in columns if each["quantity"] == "sidespin"] == ["left"]
 
 
-def test_shots_of_a_table_are_sent_and_what_is_refused_is_told(clubface_):
+def test_shots_of_a_table_are_sent_and_refusals_are_reported(clubface_):
     heard = []
     with Listener(0) as listener:
         thread = threading.Thread(target=lambda: heard.extend(listener.messages()))

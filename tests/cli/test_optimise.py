@@ -137,7 +137,7 @@ def test_the_report_of_a_fitting_advises_the_best_combination(clubface_, study, 
         assert f"Club driver and ball {ball}, by the model response" in text
 
 
-def test_the_changes_of_a_setting_are_told_in_words(clubface_, study):
+def test_the_changes_of_a_setting_are_described(clubface_, study):
     study.write_text(
         FIT + '[[fit.setting]]\nname = "a"\nloft = "-1.5 deg"\ncg_x = "2 mm"\n'
         '[[fit.setting]]\nname = "b"\nlie = "1 deg"\ncg_y = "-3 mm"\n'
@@ -165,7 +165,7 @@ def test_a_mistake_in_a_study_is_one_line_and_leaves_no_file(clubface_, study, t
     assert [each.name for each in tmp_path.iterdir()] == ["study.toml"]
 
 
-def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study, tmp_path):
+def test_mistakes_on_the_command_line_are_reported_before_any_work(clubface_, study, tmp_path):
     assert_mistake(clubface_("optimise", str(study), "--resume"), "--output")
     assert_mistake(clubface_("optimise", str(study), "-o", str(tmp_path / "best.csv")), ".toml")
     assert_mistake(clubface_("optimise", str(study), "-o", str(study)), "file other than")
@@ -188,7 +188,7 @@ def test_mistakes_on_the_command_line_are_told_before_any_work(clubface_, study,
         (lambda: (EXAMPLES / "faster_face.toml").read_text(), ("clubface fem design reads it",)),
     ],
 )
-def test_a_file_of_something_else_is_told_with_what_reads_it(clubface_, tmp_path, text, words):
+def test_a_file_of_something_else_is_reported_with_what_reads_it(clubface_, tmp_path, text, words):
     path = tmp_path / "other.toml"
     path.write_text(text())
     assert_mistake(clubface_("optimise", str(path)), *words)

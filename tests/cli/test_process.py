@@ -93,7 +93,7 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
     assert not target.exists()
 
 
-def test_ctrl_c_while_modules_are_loaded_is_told_as_any_other(monkeypatch, capsys):
+def test_ctrl_c_while_modules_are_loaded_is_reported_as_any_other(monkeypatch, capsys):
     from clubface import cli
     from clubface.cli import app
 
@@ -116,7 +116,7 @@ def without_stream(number, *arguments):
 
 
 @pytest.mark.parametrize("arguments", [["shot", "driver", "--speed", "113 mph"], ["--version"], ["clubs"]])
-def test_a_closed_standard_output_is_told_at_once(arguments):
+def test_a_closed_standard_output_is_reported_at_once(arguments):
     ran = without_stream(1, *arguments)
     assert ran.returncode == 2
     assert ran.stderr.startswith("clubface: the standard output is closed")

@@ -78,7 +78,7 @@ def test_every_command_refuses_another_club_and_takes_stated_values(clubface_, t
 
 
 @pytest.mark.parametrize("name", ["evaluate", "infer", "predict", "monitor summary"])
-def test_every_command_reads_a_monitors_file_and_is_told_its_units(clubface_, tmp_path, write, name):
+def test_every_command_reads_a_monitors_file_with_given_units(clubface_, tmp_path, write, name):
     path = str(write(GARMIN, "garmin.csv"))
     assert_mistake(clubface_(*name.split(), path, *commands(tmp_path)[name]), "--unit speed=mph")
     units = ["--unit", "speed=m/s", "--unit", "length=m"]

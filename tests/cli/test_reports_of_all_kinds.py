@@ -227,7 +227,7 @@ SWAPPED = {"right": "left", "left": "right"}
          ("map", "driver", *SPEED, *LOFT, "--grid", "5x5", "--hand", "left")),
     ],
 )  # fmt: skip
-def test_a_left_handed_shot_is_told_with_the_sides_of_its_mirror_image(clubface_, tmp_path, right, left):
+def test_the_words_of_a_left_handed_shot_swap_left_and_right(clubface_, tmp_path, right, left):
     one, other = (words_of(clubface_, tmp_path / "report.html", *command) for command in (right, left))
     assert re.search(r"\b(right|left)\b", one)
     assert "Club driver, left-handed, and ball modern" in (tmp_path / "report.html").read_text()
@@ -261,7 +261,7 @@ def test_the_report_of_a_golfer_says_what_is_assumed_and_what_rests_on_it(clubfa
         ('club = "driver"\n[mean]\nspeed = "95 mph"\n[spread]\nspeed = "1 mph"\n', 1),
     ],
 )
-def test_a_golfer_of_whom_little_is_told_has_a_report(clubface_, tmp_path, text, pictures):
+def test_a_golfer_with_few_figures_has_a_report(clubface_, tmp_path, text, pictures):
     """A club that is not known, shots that are all alike, and shots that all fly straight."""
     (tmp_path / "mine.toml").write_text(f'title = "Me"\n{text}')
     assert "95 mph" in words_of(clubface_, tmp_path / "report.html", "golfer", "show", str(tmp_path / "mine.toml"))

@@ -143,7 +143,7 @@ def test_a_negative_value_is_no_option(clubface_, attack):
     assert row["launch_deg"] == pytest.approx(shot.get("launch", "deg"), rel=1e-12)
 
 
-def test_a_bare_number_is_si_and_said_to_be(clubface_):
+def test_a_bare_number_is_si_and_noted(clubface_):
     ran = clubface_("shot", "driver", "--speed", "50", "--json")
     assert ran.rows()[0]["ball_speed_mps"] == clubface.impact("driver", speed=50.0).ball_speed
     assert ran.err == "clubface: note: --speed 50 has no unit and is read in m/s\n"

@@ -133,7 +133,7 @@ def test_what_an_objective_alone_would_choose_is_one_answer_whatever_was_asked()
     assert rows[0]["carry"][1] == pytest.approx(7.0 * YARD)
 
 
-def test_what_costs_something_else_is_never_worth_a_change_without_its_price():
+def test_a_gain_that_costs_something_else_is_shown_with_its_price():
     one = replace(advice([200.0, 150.0], [3.0, 2.9]), at_an_end=(1,))
     (wishes,) = [each.data["wishes"] for each in advice_lead(one) if each.code == "advice-by-objective"]
     assert "50.00 yd" in wishes[1]
@@ -281,7 +281,7 @@ def test_a_report_on_one_objective_says_what_the_report_on_another_does(commands
             assert abs(gains[0] - gains[1]) < slack(carry, strokes_, objective)
 
 
-def test_a_golfer_of_the_issue_is_told_by_all_to_keep_his_loft(commands):
+def test_every_command_advises_the_bogey_golfer_to_keep_his_loft(commands):
     """Carry asks for about a degree more, strokes for two less, and neither is worth a change."""
     for objective in ("carry", "strokes"):
         for command, one in commands("bogey-driver", objective).items():
@@ -313,7 +313,7 @@ def test_the_flat_range_is_where_a_parabola_has_lost_what_is_worth_a_change():
     assert [low / DEG, high / DEG] == pytest.approx([-1.352, 1.352], abs=0.025)
 
 
-def test_parts_that_do_not_matter_are_said_to_do_nothing():
+def test_parts_without_effect_are_named():
     """The same ball under another name changes nothing; two degrees of loft change carry and strokes."""
     text = FIT.replace('loft = ["-8 deg", "8 deg"]\n', 'balls = ["modern", "distance"]\n')
     text += '[[fit.setting]]\nname = "as it is"\n[[fit.setting]]\nname = "strong"\nloft = "-4 deg"\n'

@@ -123,7 +123,7 @@ def test_a_difference_of_one_thing_is_attributed_to_it(field, value, name, model
         assert parts(result)[name][quantity] == pytest.approx(difference, rel=1e-5, abs=1e-8)
 
 
-def test_the_time_of_the_face_that_parameters_include_is_told_with_that_of_the_face():
+def test_the_included_face_time_is_a_contribution_of_its_own():
     """Slopes by it come from steps of 1e-8 s, good to some 1e-6."""
     driver = clubface.club("driver")
     usual = clubface.ParameterSet.builtin("standard", "driver")
@@ -141,7 +141,7 @@ def test_the_time_of_the_face_that_parameters_include_is_told_with_that_of_the_f
     assert parts(result)["characteristic_time"]["ball_speed"] == pytest.approx(0.0, abs=1e-6)
 
 
-def test_a_delivery_a_parameter_and_a_ball_are_told_apart():
+def test_delivery_parameter_and_ball_have_contributions_of_their_own():
     first = {"club": "driver", "delivery": DRIVE}
     result = two(first, {**first, "delivery": {**DRIVE, "loft": "15 deg"}, "parameters": {"friction": 0.3}})
     assert set(parts(result)) == {"loft", "friction"}
@@ -237,7 +237,7 @@ def test_what_has_no_derivative_is_changed_first_and_as_a_whole():
     assert made.of("model", "ball_speed") == pytest.approx(step, rel=1e-12)
 
 
-def test_a_hand_may_be_told_by_the_club_or_by_the_delivery():
+def test_the_hand_may_come_from_the_club_or_the_delivery():
     first = {"club": "driver", "delivery": {**DRIVE, "hand": 1.0}}
     clubs = two(
         {"club": "driver", "delivery": DRIVE}, {"club": clubface.club("driver").replace(hand=-1), "delivery": DRIVE}
@@ -311,7 +311,7 @@ BOTH = {name: {"club": "driver", "delivery": DRIVE} for name in "ab"}
         (BOTH, {"nodes": 5, "split": False}, InputError, "nodes"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_compared_is_refused(alternatives, options, error, words):
+def test_impossible_comparisons_are_refused(alternatives, options, error, words):
     with pytest.raises(error, match=words):
         clubface.compare(alternatives, **options)
 
@@ -320,7 +320,7 @@ def test_without_a_split_there_are_no_contributions():
     assert clubface.compare(BOTH, split=False).contributions == {}
 
 
-def test_what_is_not_among_the_contributions_is_an_error():
+def test_an_unknown_contribution_is_an_error():
     result = clubface.compare(
         {name: {"club": "driver", "delivery": {**DRIVE, "toe": toe}} for name, toe in (("a", 0.0), ("b", 0.01))}
     ).contributions["b"]

@@ -126,7 +126,7 @@ def test_without_flight_launches_alone_are_counted():
 
 
 @pytest.mark.parametrize("share", ["x", 0.0, 1.0, np.nan, [0.1, 0.5]])
-def test_what_is_no_share_is_refused(share):
+def test_an_invalid_share_is_refused(share):
     result = dispersion("tour-driver", count=64)
     for ask in (result.ellipse, lambda each: result.quantile("carry", each)):
         with pytest.raises(InputError, match="share"):
@@ -194,7 +194,7 @@ COUNTED = {
 }  # fmt: skip
 
 
-def test_histograms_are_as_fine_as_told_and_reach_beyond_every_shot():
+def test_histograms_have_the_stated_resolution_and_reach_beyond_every_shot():
     scales = {**LAUNCHED, **FLOWN}
     assert set(scales) == set(COUNTED)
     for name, (least, most, width) in COUNTED.items():

@@ -36,7 +36,7 @@ def test_shapley_effects_of_ishigamis_function():
     assert effects.sum() == pytest.approx(1.0, rel=1e-12)
 
 
-def test_progress_is_told_order_by_order():
+def test_progress_is_reported_for_each_order():
     progress = []
     shapley(ishigami, np.zeros(3), np.eye(3), count=2, seed=1, progress=lambda *each: progress.append(each))
     assert progress == [(place, 6) for place in range(1, 7)]  # 3! orders of three variables
@@ -99,7 +99,7 @@ def test_one_variable_makes_all_of_the_spread():
     ("spread", "flight", "outcomes", "message"),
     [(0.0, True, ("carry",), "vary"), (1.0, False, ("carry",), "do not fly"), (1.0, True, ("cary",), "carry")],
 )
-def test_what_has_no_shares_is_refused(spread, flight, outcomes, message):
+def test_shares_of_nothing_are_refused(spread, flight, outcomes, message):
     player = golfer("tour-driver")
     player = player.replace(covariance=spread * player.covariance)
     with pytest.raises(InputError, match=message):

@@ -65,7 +65,7 @@ def test_a_map_by_finite_elements_is_single_shots_bit_for_bit():
             assert result.get(name)[row, column] == expected
 
 
-def test_beside_the_face_there_is_nothing(driver):
+def test_points_off_the_face_have_no_value(driver):
     outside = ~driver.outline.holds(*np.meshgrid(driver.toe, driver.high))
     assert outside.mean() == pytest.approx(1.0 - math.pi / 4.0, abs=0.03)  # the outermost points are on its edge
     for name in QUANTITIES:
@@ -180,7 +180,7 @@ def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
     assert result.loss[names[1]] == pytest.approx(0.003**2 - 0.002 - means[1], abs=1e-9)
 
 
-def test_swings_that_miss_the_face_are_told_and_not_counted():
+def test_swings_that_miss_the_face_are_reported_and_not_counted():
     """Of a normal distribution over a rectangle, by the error function; to 1e-9 by Gauss's rule."""
     result = forgiveness(Known(lambda t, h: np.ones_like(t)), rectangle(0.06, 0.03), ("12 mm", "9 mm"), 0.0, 0.0)
     on_face = math.erf(0.030 / 0.012 / math.sqrt(2.0)) * math.erf(0.015 / 0.009 / math.sqrt(2.0))
@@ -328,7 +328,7 @@ def test_points_by_finite_elements_are_kept_when_they_are_interrupted(tmp_path):
         ({"model": "fem", "ball": coarse("modern"), "grid": (3, 3)}, RunError, "5 points.*finer grid"),
     ],
 )
-def test_what_cannot_be_mapped_is_refused(options, error, words):
+def test_impossible_maps_are_refused(options, error, words):
     with pytest.raises(error, match=words):
         clubface.map_face("driver", {**DRIVE, **options} if "speed" in options else DRIVE, **options)
 

@@ -152,7 +152,7 @@ def test_a_box_refuses_what_lies_beyond_an_edge_though_it_is_within_every_slab()
     assert min(margins[3:]) == pytest.approx(-0.174, rel=1e-9)
 
 
-def test_what_is_left_of_a_body_without_mass_is_told():
+def test_a_body_without_mass_left_is_reported():
     """A shell as heavy as the head leaves nothing, and a heavier one less than that."""
     head = moments(np.array([[-0.055, 0.002, 0.003], [-0.04, 0.01, 0.0]]), np.array([0.1, 0.1]))
 

@@ -103,7 +103,7 @@ def test_what_is_free_stands_at_an_end_whatever_the_setting_adds():
 
 
 @pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
-def test_a_setting_with_which_no_shot_can_be_computed_is_told(free):
+def test_a_setting_without_any_computable_shot_is_reported(free):
     text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "over"\nlie = "90 deg"\n'
     with pytest.raises(ValueError, match="without result for driver with the setting over"):
         fit(from_text(BEGIN + text))
@@ -111,7 +111,7 @@ def test_a_setting_with_which_no_shot_can_be_computed_is_told(free):
 
 @pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
 @pytest.mark.parametrize("change", ['cg_x = "3 m"', 'loft = "90 deg"'])
-def test_a_setting_that_leaves_no_head_is_told_by_its_name(free, change):
+def test_a_setting_that_leaves_no_possible_head_is_named(free, change):
     text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "far back"\n{change}\n'
     with pytest.raises(ValueError, match=r"fit\.setting is 'far back'; it must be changes with which driver is a head"):
         fit(from_text(BEGIN + text))

@@ -49,7 +49,7 @@ def test_the_samples_have_the_moments_of_the_distribution():
     assert player.total_covariance[0, 0] == pytest.approx(1.375 * 0.25, rel=1e-14)
 
 
-def test_a_mishit_is_so_many_times_as_far_off():
+def test_a_mishit_is_farther_off_by_the_stated_factor():
     numbers = np.array([[0.3, 0.8, 0.4, 0.05], [0.3, 0.8, 0.4, 0.95]])
     result = np.array(list(small(mishit_share=0.1, mishit_scale=3.0).deliveries(numbers).values()))
     away = result - np.array([[45.0], [DEG], [-DEG]])
@@ -115,7 +115,7 @@ def test_a_variable_may_stay_as_it_is():
         ({"sources": 3}, "texts"),
     ],
 )
-def test_what_is_no_distribution_is_refused(changes, message):
+def test_an_invalid_distribution_is_refused(changes, message):
     with pytest.raises(InputError, match=message):
         small(**changes)
 
@@ -203,7 +203,7 @@ value = 0.4
         ('face = "2 deg"', 'face = "2 deg"\n[sources]\nspred.face = "me"', None, "spread"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_its_line(old, new, line, changes):
+def test_a_mistake_in_a_file_is_reported_with_its_line(old, new, line, changes):
     text = FILE.replace(old, new)
     if changes is None:
         assert from_document(Document(text), "x").variables == ("speed", "face")
@@ -243,7 +243,7 @@ def test_the_drives_of_shipped_amateurs_spread_in_direction_as_published(name, s
     assert np.nanstd(direction) == pytest.approx(known, rel=0.06)
 
 
-def test_a_golfer_a_club_and_a_dispersion_are_told_in_the_units_of_golfers():
+def test_golfers_clubs_and_dispersions_are_printed_in_the_units_of_golfers():
     """What a notebook shows of them: one line a number, with its unit, not the fields in SI."""
     from clubface import Ball, Hole, club, dispersion, golfer
 

@@ -147,7 +147,7 @@ def test_bulge_and_roll_are_not_counted_twice():
     assert result.golfer.spread[place] / DEG < raw - 0.1
 
 
-def test_what_was_not_measured_comes_from_the_nearest_golfer_and_says_so():
+def test_unmeasured_figures_come_from_the_nearest_golfer_and_say_so():
     result = estimate_golfer(strike_session(known(), 60, 3))
     assert result.like == "handicap-5-driver"
     assert result.golfer.source("spread of closure") == "assumed: as of handicap-5-driver"
@@ -177,7 +177,7 @@ def session(**values):
     return ready_shots(shots, club="driver")
 
 
-def test_what_is_the_same_in_every_shot_tells_the_mean_alone():
+def test_a_constant_column_gives_the_mean_alone():
     drawn = np.random.default_rng(1).standard_normal((50, 2)) * [0.5, 2.0 * DEG]
     result = estimate_golfer(session(speed=45.0 + drawn[:, 0], face=drawn[:, 1], lie=np.full(50, 3.0 * DEG)))
     place, like = result.golfer.variables.index("lie"), golfer(result.like)

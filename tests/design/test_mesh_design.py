@@ -367,7 +367,7 @@ def test_a_file_of_a_mesh_is_read(tmp_path):
         ("[delivery]", '[limits]\nmass = ["1 g", "1 kg"]\ncg_width = ["1 mm", "2 mm"]\n[delivery]', 10, "cg_width"),
     ],
 )  # fmt: skip
-def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
+def test_mistakes_are_reported_with_their_line(tmp_path, old, new, line, message):
     (tmp_path / "own.toml").write_text(head_text(own_head(tmp_path), folder=tmp_path))
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))
@@ -376,7 +376,7 @@ def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
     assert error.value.line == line
 
 
-def test_a_mesh_that_is_missing_is_told_by_the_line_of_its_head(tmp_path):
+def test_a_missing_mesh_is_reported_with_the_line_of_its_head(tmp_path):
     (tmp_path / "own.toml").write_text(head_text(own_head(tmp_path), folder=tmp_path))
     (tmp_path / "abaqus.inp").unlink()
     (tmp_path / "study.toml").write_text(FILE)

@@ -253,7 +253,7 @@ def test_a_limit_of_the_shots_is_kept_and_reached():
         ),
     ],
 )  # fmt: skip
-def test_of_limits_that_nothing_keeps_the_nearest_club_breaks_one_that_is_told(variables, head, limits, message):
+def test_infeasible_limits_name_the_violated_one(variables, head, limits, message):
     chosen = {} if head is None else {"head": head}
     limits = limits if limits.startswith("[") else f"[limits]\n{limits}\n"
     with pytest.raises(ValueError, match=message):

@@ -59,7 +59,7 @@ def test_the_published_driver_conforms_and_its_face_only_within_the_tolerance():
     ],
 )
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
-def test_each_limit_is_told_by_itself(limit, size, changes):
+def test_each_broken_limit_is_reported_alone(limit, size, changes):
     result = words(club("driver").replace(**changes), **size)
     assert [name for name, verdict in result.items() if verdict == "does not conform"] == [limit]
 

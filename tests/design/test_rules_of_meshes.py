@@ -28,7 +28,7 @@ def verdicts(head, **size):
     return {each.rule.name: each for each in check_rules(head, **size)}
 
 
-def test_a_face_that_nobody_measured_is_not_said_to_conform(own, clubface_):
+def test_an_unmeasured_face_is_not_called_conforming(own, clubface_):
     assert verdicts(own)["characteristic_time"].words == "not measured"
     assert verdicts(clubface.club("driver").replace(characteristic_time=0.0))["characteristic_time"].conforms is None
     printed = clubface_("club", "check", str(own)).out

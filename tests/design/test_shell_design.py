@@ -129,7 +129,7 @@ def test_no_face_of_a_grid_is_better():
     assert result.chosen.best.values["ball_speed"] > best * (1.0 - 1e-4)
 
 
-def test_what_is_told_is_what_the_written_head_does(fastest, tmp_path):
+def test_the_reported_figures_are_those_of_the_written_head(fastest, tmp_path):
     target = tmp_path / "best.toml"
     target.write_text(head_text(fastest.head))
     read = fem.head(str(target))
@@ -171,7 +171,7 @@ def test_a_limit_of_the_mass_that_the_target_breaks_is_refused_before_any_run():
     study(limits={"mass": (0.0, 1.02 * made)})
 
 
-def test_limits_that_no_head_keeps_are_told():
+def test_limits_that_no_head_meets_are_reported():
     with pytest.raises(RunError, match=r"no head within all limits .* mass of its walls .* above 100.0 g"):
         shells.improve(study(limits={"wall_mass": (0.0, 0.1)}, designs=2, neighbours=False))
 
@@ -317,7 +317,7 @@ def test_a_file_is_read(tmp_path):
         ('objective = "ball_speed"', 'objective = "ball_speed"\ngolfer = "bogey-driver"', 9, "the golfer delivers"),
     ],
 )
-def test_mistakes_are_told_with_their_line(tmp_path, old, new, line, message):
+def test_mistakes_are_reported_with_their_line(tmp_path, old, new, line, message):
     (tmp_path / "driver.toml").write_text(head_text(driver()))
     assert old in FILE
     (tmp_path / "study.toml").write_text(FILE.replace(old, new, 1))

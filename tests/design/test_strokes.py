@@ -40,7 +40,7 @@ def test_a_shot_of_the_tour_gains_about_nothing():
     assert dispersion("bogey-driver", count=2**11, hole=Hole(length="430 yd")).gained < -0.3
 
 
-def test_what_is_no_hole_is_refused():
+def test_an_invalid_hole_is_refused():
     with pytest.raises(InputError, match="length"):
         Hole(length="-3 yd")
     with pytest.raises(InputError, match="at most 2000 m and above 0 m"):

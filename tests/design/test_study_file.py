@@ -76,7 +76,7 @@ def test_values_are_read_with_their_units():
         ('["38 mm", "44 mm"]', '["38 mm", "44 mm"]\nbulge = ["0 mm", "300 mm"]', "above 0"),
     ],
 )
-def test_a_mistake_is_told_with_what_to_write_instead(old, new, message):
+def test_a_mistake_is_reported_with_what_to_write_instead(old, new, message):
     assert old in GOOD
     with pytest.raises(ClubfaceError, match=message) as error:
         from_text(GOOD.replace(old, new))
@@ -99,12 +99,12 @@ def test_mass_properties_need_a_head():
      ('clubs = ["driver"]\nloft = ["-10 deg", "0 deg"]', "fit.loft is '-0.2 deg'; it must be 0 to 75 deg"),
      ('clubs = ["driver"]\nlie = ["0 deg", "2 deg"]\n[[fit.setting]]\nname = "a"\nlie = "89 deg"', "fit.lie")],
 )  # fmt: skip
-def test_a_mistake_in_a_fitting_is_told(line, message):
+def test_a_mistake_in_a_fitting_is_reported(line, message):
     with pytest.raises(ClubfaceError, match=message):
         from_text(f'title = "t"\ngolfer = "bogey-driver"\nobjective = "carry"\n[fit]\n{line}\n')
 
 
-def test_files_that_a_study_names_are_looked_for_beside_it(tmp_path, monkeypatch):
+def test_files_of_a_study_are_looked_for_in_its_folder(tmp_path, monkeypatch):
     (tmp_path / "mine.toml").write_text(club("driver").replace(name="mine").to_toml())
     (tmp_path / "distance.toml").write_text(ball("distance").replace(name="soft").to_toml())
     (tmp_path / "me.toml").write_text(to_toml(golfer("bogey-driver").replace(name="me")))

@@ -91,7 +91,7 @@ def test_a_design_that_fails_is_refused_and_the_region_shrinks():
     assert result.steps[result.best].values["mass"] < model(np.array([0.8, 0.8]))["mass"]
 
 
-def test_a_start_that_fails_is_told():
+def test_a_failing_start_is_reported():
     with pytest.raises(RunError, match="the design to start from fails"):
         search(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
 

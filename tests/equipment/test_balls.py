@@ -57,7 +57,7 @@ def test_mass_and_inertia_are_those_of_spheres_one_around_the_other():
     assert Ball.from_text('inertia = "84 g cm2"\n' + PIECES).inertia == pytest.approx(84e-7, rel=1e-12)
 
 
-def test_the_values_of_a_ball_stand_where_nobody_chose_one():
+def test_the_values_of_a_ball_apply_unless_others_are_given():
     sticky = Ball.from_text(SLIP)
     own = clubface.impact("driver", SHOT, model="slip", ball=sticky)
     assert own.parameters.values["slip_y"] == -0.2
@@ -93,7 +93,7 @@ def test_the_values_of_a_ball_stand_where_nobody_chose_one():
         ),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_its_line(text, message):
+def test_a_mistake_in_a_file_is_reported_with_its_line(text, message):
     with pytest.raises(ClubfaceError) as caught:
         Ball.from_text(text)
     assert isinstance(caught.value, FileError)

@@ -48,7 +48,7 @@ def test_the_published_ball_is_that_of_table_1():
     )
 
 
-def test_the_ball_that_nobody_named_conforms_and_that_of_the_publication_is_warned_of_when_named():
+def test_the_default_ball_conforms_and_the_published_ball_is_warned_of():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert impact("driver", speed=50.0).ball == ball() == ball("modern")

@@ -158,7 +158,7 @@ def test_a_missing_file_is_a_file_error(tmp_path):
         ('mass = "Table', 'mas = "Table', 23, "unknown key 'mas'"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line, message):
+def test_a_mistake_in_a_file_is_reported_with_line_and_remedy(write, old, new, line, message):
     text = club("driver").replace(description="").to_toml()
     assert text.count(old) == 1 or old in ("mass = ",)
     path = write(text.replace(old, new, 1), "mine.toml")

@@ -79,7 +79,7 @@ def test_average_drivers_have_the_published_mean_moments():
 
 
 @pytest.mark.parametrize("name", [name for name in CLUB_NAMES if name not in TOUR_CLUBS])
-def test_moments_that_nobody_published_are_those_of_the_published_head_turned_with_the_loft(name):
+def test_unpublished_moments_are_those_of_the_published_head_turned_with_the_loft(name):
     head = club(name)
     like = club("7-iron" if head.kind == "iron" else "driver")
     angle = head.loft - like.loft if head.kind == "iron" else 0.0

@@ -56,7 +56,7 @@ def test_set_names_are_unique_for_a_model_and_club():
 
 
 @pytest.mark.parametrize("each", ["reference", "source", "name"])
-def test_every_published_set_tells_where_it_comes_from(each):
+def test_every_published_set_has_its_source(each):
     assert all(getattr(result, each) for result in builtin_sets())
 
 
@@ -73,7 +73,7 @@ def test_every_published_set_tells_where_it_comes_from(each):
         (("volumetric", "driver"), "layer_damping", "ten times"),
     ],
 )
-def test_errata_are_told_with_the_value(key, parameter, text):
+def test_errata_stand_with_their_values(key, parameter, text):
     assert text in ParameterSet.builtin(*key).value_caveats[parameter]
 
 
@@ -278,7 +278,7 @@ def test_where_a_file_holds_several_sets_one_is_chosen(write):
         ('title = "My session"', "", None, "missing: title"),
     ],
 )
-def test_a_mistake_in_a_file_is_told_with_line_and_remedy(write, old, new, line, message):
+def test_a_mistake_in_a_file_is_reported_with_line_and_remedy(write, old, new, line, message):
     path = write(OWN.replace(old, new, 1), "own.toml")
     with pytest.raises(FileError, match=message) as caught:
         ParameterSet.from_toml(path)

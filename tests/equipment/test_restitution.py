@@ -28,6 +28,6 @@ def test_the_time_of_a_restitution_has_it(cor):
 
 
 @pytest.mark.parametrize("cor", [RIGID, 0.5, 0.861, 1.0, float("nan")])
-def test_what_no_face_has_is_refused(cor):
+def test_an_impossible_restitution_is_refused(cor):
     with pytest.raises(InputError, match=rf"from 0\.778 to 0\.86 at 160 ft/s.*{RIGID:.3f}"):
         characteristic_time_of(cor)

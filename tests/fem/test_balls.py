@@ -68,7 +68,7 @@ def test_every_ball_of_pieces_serves_every_model_by_name_and_as_an_object(model,
     assert launches[0].backspin == pytest.approx(launches[1].backspin, rel=1e-3)
 
 
-def test_the_friction_of_a_ball_stands_where_nobody_chose_one():
+def test_the_friction_of_a_ball_applies_unless_another_is_given():
     shot = {"speed": 45.0, "loft": "30 deg", "model": "fem"}
     own = clubface.impact("7-iron", ball="distance", **shot)
     assert own.parameters.values["friction"] == fem.ball("distance").friction == 0.25

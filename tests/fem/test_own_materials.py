@@ -265,7 +265,7 @@ def test_a_mistake_in_a_law_is_found_when_it_is_registered(library, function, me
     assert function not in fem.laws()
 
 
-def test_constants_and_names_that_are_none_are_refused(library):
+def test_invalid_constants_and_names_are_refused(library):
     for name in ("mooney-rivlin", "energy", "two words", "", 3):
         with pytest.raises(InputError, match="name"):
             fem.register_law(name, library.rivlin, constants=RIVLIN)
@@ -306,7 +306,7 @@ def test_a_law_that_gives_no_number_stops_the_run(library):
     assert "energy balance" in str(result.stopped)
 
 
-def test_a_law_of_ones_own_has_no_card(tmp_path, library):
+def test_a_custom_law_has_no_card(tmp_path, library):
     fem.register_law("rivlin-in-c", library.rivlin, constants=RIVLIN)
     written = case(write_case(tmp_path, old=LAW, new=OWN))
     with pytest.raises(InputError, match="card"):

@@ -111,7 +111,7 @@ def test_the_force_rises_to_a_peak_near_that_of_other_solvers():
     assert (result.tangential_max, -result.tangential_min) == pytest.approx((847.0, 700.0), rel=0.1)
 
 
-def test_the_mesh_of_the_reference_case_is_that_of_p2():
+def test_the_mesh_of_the_reference_case_is_that_of_roh_and_lee():
     properties = reference().ball.properties()
     assert properties["elements"] == reference().ball.elements == 6912 + 2592
     assert properties["mass"] == pytest.approx(0.046, rel=1e-12)

@@ -229,7 +229,7 @@ def test_nodes_in_any_order_make_the_same_head(tmp_path):
     assert masses[0] == masses[1]
 
 
-def test_what_no_solid_head_has_is_refused(tmp_path):
+def test_impossible_solid_heads_are_refused(tmp_path):
     made = iron()
     nodes, hexahedra = made.nodes * 1e3, made.hexahedra.tolist()
 

@@ -13,7 +13,7 @@ from fem_runs import coarse, coarse_head
 
 
 @pytest.mark.parametrize("name", ["head.msh", "head.inp"])
-def test_a_mesh_of_ones_own_is_read_with_its_groups(tmp_path, write, name):
+def test_a_custom_mesh_is_read_with_its_groups(tmp_path, write, name):
     write_mesh(tmp_path, name)
     path = write(HEAD.replace("head.msh", name), "own.toml")
     head, design = fem.head(path), coarse_head()

@@ -90,7 +90,7 @@ def test_a_mistake_in_an_energy_is_named_with_its_line(tmp_path, energy, message
     assert error.value.line == 13
 
 
-def test_what_is_no_text_and_what_has_no_card_is_refused(tmp_path):
+def test_an_energy_without_text_or_card_is_refused(tmp_path):
     with pytest.raises(InputError, match="volumetric"):
         rubber(3.0)
     written = case(write_case(tmp_path, old=OLD, new=OLD + f'volumetric = "{SIMO_TAYLOR}"\n'))

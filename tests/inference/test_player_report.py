@@ -63,7 +63,7 @@ def test_the_typical_shot_is_the_median_of_the_file():
     assert notes["player-side"]["side"] == pytest.approx(-12 * YD, rel=1e-14)
 
 
-def test_a_carry_that_was_not_measured_is_computed_and_said_so():
+def test_an_unmeasured_carry_is_computed_and_noted():
     result = club_statistics(shots(), "Driver")
     flight = clubface.fly({name: shots().launches[name] for name in ("ball_speed", "launch", "azimuth", "total_spin",
                                                                      "spin_axis")})  # fmt: skip

@@ -127,7 +127,7 @@ def test_the_robots_irons_have_the_sums_of_the_transcription():
     assert result == pytest.approx([662.4, 140516, 3953.1, 1170.7, 2181.0], rel=1e-12)
 
 
-def test_what_is_not_there_is_said_with_the_nearest_name():
+def test_an_unknown_table_or_column_names_the_nearest():
     with pytest.raises(UnknownNameError, match="pga-2019"):
         published_data.table("pga-2018")
     averages = published_data.table("pga-2019")

@@ -77,6 +77,6 @@ def test_a_byte_order_mark_is_no_part_of_the_first_name(tmp_path):
 
 
 @pytest.mark.parametrize("again", ["of = 2", "[shape]"])
-def test_what_is_there_twice_is_told_in_plain_words(again):
+def test_a_duplicate_key_is_reported_in_plain_words(again):
     with pytest.raises(FileError, match=r"x\.toml:3: this is not TOML: .* defined twice"):
         Document(f"[shape]\nof = 1\n{again}\n", "x.toml")

@@ -111,7 +111,7 @@ def test_a_spin_that_may_be_two_or_two_thousand_is_refused(write, unit, written)
     assert [(each.line, "2.845" in each.reason) for each in shots.rejected] == [(2, True)]
 
 
-def test_a_number_that_nothing_decides_is_said_to_be_one(write):
+def test_an_undecidable_number_is_noted(write):
     shots = launch_monitor.read(write("Spin Rate [rpm];Launch [deg];Altitude\n2845;12;1.200\n3102;13;1.300\n"))
     assert noted(shots, "decimals-or-thousands") == [{"mark": "point", "example": "'1.200'"}]
 

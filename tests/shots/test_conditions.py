@@ -94,13 +94,13 @@ def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, cond
         ("smash > '\0'", "a condition"),
     ],
 )
-def test_what_is_no_condition_is_refused_and_never_run(shots, condition, message):
+def test_an_invalid_condition_is_refused_and_never_run(shots, condition, message):
     with pytest.raises(InputError, match=message) as caught:
         match_shots(shots, condition)
     assert len(str(caught.value)) < 1500
 
 
-def test_an_unknown_name_is_told_with_those_that_were_measured(shots):
+def test_an_unknown_name_is_reported_with_the_measured_ones(shots):
     with pytest.raises(UnknownNameError, match=r"'smahs'.*did you mean smash"):
         match_shots(shots, "smahs > 1.3")
     with pytest.raises(UnknownNameError, match="ball_speed, carry"):

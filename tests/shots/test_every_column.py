@@ -128,7 +128,7 @@ def test_columns_of_numbers_that_are_not_understood_are_listed_and_names_and_dat
     assert unread["columns"] == ["Swing Direction (deg)", "Wobble", "Roll (yd)", "Distance to Pin (m)"]
 
 
-def test_an_impact_point_without_a_side_is_said_to_be_taken_towards_the_toe(write):
+def test_an_impact_point_without_a_side_is_noted_as_towards_the_toe(write):
     for heading, is_stated in (("Horiz Impact (mm)", True), ("Impact Toe (mm)", False)):
         shots = launch_monitor.read(write(f"Ball Speed (mph),{heading}\n147,4\n"))
         assert ("toe-unsigned" in codes(shots)) == is_stated

@@ -99,7 +99,7 @@ def test_trackman_without_a_row_of_units_is_in_mph_degrees_millimetres_rpm_feet_
     )
 
 
-def test_zeros_for_all_that_is_said_of_the_club_are_no_measurement_even_without_a_speed(write):
+def test_all_zero_club_data_are_no_measurement_even_without_a_speed(write):
     text = "Swing Direction,Dyn. Loft,Club Path,Attack Angle,Ball Speed,Launch Angle\n"
     shots = launch_monitor.read(write(text + "0,0,0,0,150,12\n1,13,0,2,150,12\n"))
     assert_values(
@@ -140,14 +140,14 @@ def test_trackman_with_semicolons_decimal_commas_and_metric_units():
         ("Side Angle\tTilt Angle\tTotal Spin\tEfficiency\n1.5\t2\t2,650\t1.386\n", 2650, 1.386),
     ],
 )
-def test_decimal_commas_and_thousands_are_told_apart(write, content, spin, smash):
+def test_decimal_commas_are_distinguished_from_thousands_separators(write, content, spin, smash):
     launches = launch_monitor.read(write(content)).launches
     assert launches["total_spin"] == pytest.approx([spin * RPM], rel=1e-14)
     assert launches["smash"] == pytest.approx([smash], rel=1e-14)
 
 
 @pytest.mark.parametrize(("hand", "mirror"), [("right", 1), ("left", -1), (None, 1)])
-def test_foresight_speaks_of_in_out_and_open_which_a_left_hander_mirrors(hand, mirror):
+def test_foresight_signs_are_in_out_and_open_so_left_handers_are_mirrored(hand, mirror):
     shots = launch_monitor.read(DATA / "foresight-play.csv", hand=hand)
     assert shots.format == "foresight"
     assert_values(
@@ -192,7 +192,7 @@ def test_foresights_bare_offsets_are_positive_to_the_heel_unless_something_says_
 
 
 @pytest.mark.parametrize(("hand", "mirror"), [("right", 1), ("left", -1)])
-def test_foresight_2020_tells_the_side_after_the_number_and_the_face_to_the_path(hand, mirror):
+def test_foresight_2020_has_sides_after_numbers_and_face_to_path(hand, mirror):
     shots = launch_monitor.read(DATA / "foresight-2020.csv", hand=hand)
     assert (shots.format, shots.rows.tolist()) == ("foresight-2020", [4, 5])
     path, to_path = np.array([3.4, -1.6]), np.array([-2.4, 1.1])
@@ -319,7 +319,7 @@ def test_rapsodo_is_a_table_a_club_with_rows_of_averages():
     assert (metric.launches["apex"][0], metric.launches["carry"][0]) == (101.5, 224.5)
 
 
-def test_flightscope_tells_left_and_right_after_the_number():
+def test_flightscope_has_left_and_right_after_the_number():
     shots = launch_monitor.read(DATA / "flightscope.csv")
     assert (shots.format, shots.rows.tolist()) == ("flightscope", [2, 3])
     assert_values(

@@ -81,7 +81,7 @@ def test_a_shot_that_is_not_finished_is_not_lost():
 
 @pytest.mark.parametrize("text", ["67.2", "67.2 mps", "67,2mps", "mps", "1e400mps", "67.2MPS", "67.2kn", "12m", 67.2,
                                   True, [], {}, "nanmps", "infmps", "1_0mps", "6" * 50 + "mps"])  # fmt: skip
-def test_a_text_without_its_unit_costs_its_field_and_is_said(text):
+def test_a_text_without_its_unit_is_dropped_and_noted(text):
     (shot,) = fed([event("ball_flight", ball=BALL | {"launch_speed": text}), event("shot_finished")])
     assert "ball_speed" not in shot.launch
     assert shot.launch["launch"] == 14.2 * DEG
@@ -100,7 +100,7 @@ def test_a_text_without_its_unit_costs_its_field_and_is_said(text):
         ({"device": "x", "event": {"kind": "alert", "message": "tilted"}}, "x says: tilted"),
     ],
 )
-def test_what_cannot_be_used_is_said(message, words):
+def test_an_unusable_message_is_reported(message, words):
     (error,) = fed([message])
     assert isinstance(error, MessageError)
     assert words in str(error)
@@ -207,7 +207,7 @@ def test_a_device_that_listens_is_found_whenever_it_comes():
     "", "5880x", "http://localhost:1/frp", "ws://", "localhost:5880", "ws://localhost:70000/frp", "ws://localhost:x",
     "ws://[", "ws://localhost/frp#now", "ws://name@localhost/frp", f"ws://{'a' * 64}/frp",
 ])  # fmt: skip
-def test_an_address_that_is_none_is_refused(address):
+def test_an_invalid_address_is_refused(address):
     pytest.importorskip("websockets")
     from clubface.shots.flight_relay import FlightRelayClient
 

@@ -111,7 +111,7 @@ def test_a_damaged_line_costs_itself_alone_and_stays_in_the_file(path, line):
     assert line in path.read_text()
 
 
-def test_a_line_with_a_quantity_that_nobody_knows_is_damaged(path):
+def test_a_line_with_an_unknown_quantity_is_damaged(path):
     live = opened(path)
     live.keep(message(1), "open-connect")
     live.keep(message(2), "open-connect")
@@ -168,7 +168,7 @@ def rows_of(result):
     return result.to_dict()["tables"]["shots"]["rows"]
 
 
-def test_what_is_computed_is_marked_and_what_was_measured_stays(path):
+def test_computed_values_are_marked_and_measured_ones_kept(path):
     live = opened(path)
     live.keep(message(1, LAUNCH | {"carry": 200.0}), "open-connect")
     live.choose("driver", "right")
@@ -225,7 +225,7 @@ def test_club_data_of_an_unknown_club_gives_no_launch(path):
     live.close()
 
 
-def test_what_is_not_taken_of_a_shot_is_remarked_once_whatever_it_came_over(path):
+def test_dropped_fields_are_remarked_once_over_every_protocol(path):
     pytest.importorskip("websockets")
     from websockets.sync.client import connect
 

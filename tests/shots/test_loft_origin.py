@@ -77,7 +77,7 @@ def test_some_misread_shots_do_not_hide_a_computed_loft():
     assert origin.ratio_scatter < 1e-6
 
 
-def test_clubs_and_files_are_told_apart():
+def test_each_club_of_each_file_is_judged_by_itself():
     mixed = join_sessions([
         replace(session("driver", 20, ratio=1.137), source="radar.csv"),
         replace(session("driver", 20, seed=2), source="camera.csv"),

@@ -39,13 +39,13 @@ COLUMN = '[columns.speed]\nheading = "Tempo"\nunit = "km/h"\n'
         ("columns.speed = 3", 1, r"columns.speed is 3; it must be a table"),
     ],
 )
-def test_a_mistake_in_a_mapping_is_told_with_its_line(write, content, line, message):
+def test_a_mistake_in_a_mapping_is_reported_with_its_line(write, content, line, message):
     with pytest.raises(FileError, match=message) as caught:
         mapping_of(write(content, "mapping.toml"))
     assert caught.value.line == line
 
 
-def test_a_missing_mapping_is_told():
+def test_a_missing_mapping_is_reported():
     with pytest.raises(FileError, match="cannot be read"):
         mapping_of("missing.toml")
 

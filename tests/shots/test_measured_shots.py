@@ -55,7 +55,7 @@ def test_a_shot_without_a_delivery_value_or_without_any_launch_is_dropped_with_i
     assert np.isnan(shots.launch["ball_speed"][1])
 
 
-def test_what_was_not_measured_is_said():
+def test_values_taken_as_zero_or_static_are_noted():
     zero = ["attack", "path", "face", "lie", "high", "closure", "pitch_rate", "lie_rate"]
     assert measured_shots(recorded(), club="driver").notes == (("taken-as-zero", {"quantities": zero}),)
     notes = measured_shots(recorded(loft=None), club="driver").notes

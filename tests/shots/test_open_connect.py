@@ -62,7 +62,7 @@ def test_a_message_is_a_shot_in_si():
     assert metres.launch["carry"] == 256.5
 
 
-def test_spin_may_be_told_by_its_parts_and_zeros_stand_for_not_measured():
+def test_spin_may_come_as_its_parts_and_zeros_mean_not_measured():
     ball = {"Speed": "147.5", "HLA": 0, "VLA": 14, "BackSpin": 2500, "SideSpin": -800, "CarryDistance": 0}
     club = dict.fromkeys(SHOT["ClubData"], 0.0)
     result = from_json(SHOT | {"BallData": ball, "ClubData": club})
@@ -98,14 +98,14 @@ def test_spin_may_be_told_by_its_parts_and_zeros_stand_for_not_measured():
         ),
     ],
 )
-def test_a_message_that_is_none_says_which_field(message, words):
+def test_an_invalid_message_names_the_field(message, words):
     with pytest.raises(MessageError, match=words):
         from_json(message)
 
 
 @pytest.mark.parametrize("value", ["", " ", "n/a", "12,3", "1_000", [], {}, True, math.nan, math.inf, -math.inf])
 @pytest.mark.parametrize("name", ["Speed", "Lie", "ClosureRate"])
-def test_a_field_of_the_club_that_holds_no_number_costs_that_field_and_not_the_shot(name, value):
+def test_a_club_field_without_a_number_is_dropped_and_the_shot_kept(name, value):
     whole, result = from_json(SHOT), from_json(changed(ClubData={name: value}))
     quantity = {"Speed": "speed", "Lie": "lie", "ClosureRate": "closure"}[name]
     assert result.launch == whole.launch
@@ -116,7 +116,7 @@ def test_a_field_of_the_club_that_holds_no_number_costs_that_field_and_not_the_s
 
 
 @pytest.mark.parametrize("value", [-1, -999, 16777215, 65535, 9999, 3.4e38, "65535"])
-def test_what_stands_for_a_value_that_was_not_measured_costs_the_field_and_is_said(value):
+def test_a_placeholder_value_is_dropped_and_noted(value):
     result = from_json(changed(ClubData={"Speed": value, "VerticalFaceImpact": value if value != -1 else 9999}))
     assert not {"speed", "high"} & set(result.delivery)
     assert "high" in result.impossible
@@ -179,7 +179,7 @@ def test_the_spins_of_a_message_are_one_vector_and_nothing_is_made_up(spin, expe
     assert result.launch["ball_speed"] == 147.5 * MPH
 
 
-def test_a_shot_with_one_field_that_is_no_number_goes_over_the_socket_and_is_said_once():
+def test_a_field_without_a_number_is_reported_once_over_the_socket():
     spoiled = json.dumps(changed(BallData={"BackSpin": None}, ClubData={"Lie": math.nan, "Loft": ""})).encode()
     assert b"NaN" in spoiled
     with listening() as (listener, heard, messages), raw(listener.port) as (client, answers):
@@ -241,7 +241,7 @@ def test_a_launch_becomes_a_message_and_comes_back():
             to_json(launch, shot_number=1)
 
 
-def test_a_simulator_is_told_the_spin_of_the_launch_in_both_ways_of_telling_it():
+def test_the_spin_is_sent_both_as_parts_and_as_total_with_axis():
     # A drive off the toe: it starts right and turns left, so the axis is tilted to the left, which is negative.
     launch = clubface.impact("driver", speed="108 mph", attack="2 deg", loft="13 deg", toe="12 mm")
     assert launch.sidespin < 0.0 < launch.azimuth
@@ -262,7 +262,7 @@ def test_a_simulator_is_told_the_spin_of_the_launch_in_both_ways_of_telling_it()
     assert (ball["TotalSpin"], ball["SpinAxis"]) == pytest.approx((5000.0, -36.869897645844), rel=1e-12)
 
 
-def test_a_simulator_is_told_the_delivery_in_the_units_of_the_protocol():
+def test_the_delivery_is_sent_in_the_units_of_the_protocol():
     given = {
         "speed": 50.0, "attack": 0.02, "face": -0.03, "lie": 0.01, "loft": 0.2, "path": 0.04, "high": 0.005,
         "toe": -0.008, "closure": 40.0,
@@ -302,7 +302,7 @@ def test_objects_are_found_wherever_the_bytes_are_cut():
         (b'{"a": "' + b"x" * LARGEST, "longer than 65536"),
     ],
 )
-def test_garbage_is_told_once_and_the_next_message_is_read(data, message):
+def test_garbage_is_reported_once_and_the_next_message_is_read(data, message):
     stream = ObjectStream()
     result = stream.feed(data) + stream.feed(b' "}}]]]]' + json.dumps(HEARTBEAT).encode())
     assert isinstance(result[0], Broken)
@@ -461,7 +461,7 @@ def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stay
             quiet.send({"ball_speed": 70.0, "launch": 0.2, "backspin": 250.0, "sidespin": 0.0})
 
 
-def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
+def test_a_port_in_use_or_without_a_listener_is_reported():
     with Listener(0) as listener:
         with pytest.raises(LinkError, match=rf"127.0.0.1:{listener.port} cannot be listened on"):
             Listener(listener.port)
@@ -486,7 +486,7 @@ def test_a_port_that_is_taken_or_nobody_listens_on_is_told():
         (b'{"Message": "fine"}', "answered without a code"),
     ],
 )
-def test_a_simulator_that_does_not_answer_is_told(answer, message):
+def test_a_simulator_that_does_not_answer_is_reported(answer, message):
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def serve():
@@ -505,7 +505,7 @@ def test_a_simulator_that_does_not_answer_is_told(answer, message):
         thread.join(5)
 
 
-def test_a_refused_shot_and_answers_that_came_before_are_told_apart():
+def test_the_answer_to_a_refused_shot_is_not_mistaken_for_an_earlier_one():
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def serve():

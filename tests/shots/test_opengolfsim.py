@@ -54,7 +54,7 @@ def test_no_spin_at_all_is_spin_that_was_not_measured():
         (changed(verticalLaunchAngle="up"), "shot.verticalLaunchAngle must be a number"),
     ],
 )
-def test_a_message_that_is_none_says_which_field(message, words):
+def test_an_invalid_message_names_the_field(message, words):
     with pytest.raises(MessageError, match=words):
         from_json(message)
 

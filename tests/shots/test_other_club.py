@@ -21,7 +21,7 @@ def test_a_tour_players_own_club_is_never_another(name):
 
 
 @pytest.mark.parametrize("name", TOUR_CLUBS)
-def test_the_benchmarks_drives_and_7_irons_are_told_apart(name):
+def test_benchmark_drives_and_7_irons_are_distinguished(name):
     """Their median dynamic lofts are 17.4 and 25.2 degrees."""
     pytest.importorskip("pyarrow")
     club = clubface.club(name)

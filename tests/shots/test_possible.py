@@ -35,7 +35,7 @@ def trackman(tmp_path):
 
 
 @pytest.mark.parametrize("heading", SENTINELS)
-def test_a_sentinel_is_told_and_counted_and_in_no_mean(trackman, heading):
+def test_a_sentinel_is_reported_counted_and_left_out_of_means(trackman, heading):
     whole = launch_monitor.read(trackman())
     assert "impossible-values" not in codes(whole)
     shots = launch_monitor.read(trackman(**{heading.replace(" ", "_"): SENTINELS[heading]}))

@@ -71,7 +71,7 @@ def test_every_row_of_the_wrong_club_is_refused_or_noted(session):
         ready_shots(session, club="driver", where="club == '7-iron'")
 
 
-def test_a_condition_that_nothing_fulfils_and_values_that_are_none_are_refused(session):
+def test_an_unfulfillable_condition_and_invalid_values_are_refused(session):
     with pytest.raises(InputError, match=r"some of the 4 shots meet"):
         ready_shots(session, where="smash > 1.6")
     with pytest.raises(InputError, match="2 lack something"):

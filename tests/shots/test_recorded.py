@@ -81,7 +81,7 @@ def test_backspin_and_sidespin_give_total_and_axis_and_measured_values_stay():
     np.testing.assert_allclose(result["sidespin"], [100 * math.sin(0.1), -100 * math.sin(0.1)], rtol=1e-15)
 
 
-def test_spins_that_contradict_each_other_are_said_with_line_and_values_and_only_once():
+def test_contradicting_spins_are_noted_once_with_line_and_values():
     given = {
         "backspin": [2650 * RPM, 2500 * RPM],
         "sidespin": [1703 * RPM, 0.0],
@@ -243,7 +243,7 @@ def test_whatever_a_file_holds_only_an_error_of_the_package_comes_out(tmp_path, 
     assert not set(result.rows) & {each.line for each in result.rejected}
 
 
-def test_units_that_are_told_are_those_of_columns_without_one(tmp_path):
+def test_given_units_apply_to_columns_without_a_unit(tmp_path):
     """By quantity or dimension; a heading with a unit keeps it, and a column without a unit is refused."""
     file = tmp_path / "shots.csv"
     file.write_text("speed,path,face_deg,ball_speed,toe\n100,2,3,160,10\n")

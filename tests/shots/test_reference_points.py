@@ -107,7 +107,7 @@ def test_the_arm_from_centre_of_gravity_to_face_turns_with_loft_and_face_angle()
     np.testing.assert_allclose(result["speed"], 50.0 - rate * 0.04, rtol=1e-14)
 
 
-def test_a_toe_that_rises_carries_the_toe_up_and_the_top_of_the_face_back():
+def test_the_lie_rate_moves_the_face_centre_up_and_towards_the_heel():
     """omega x r for the lie rate w alone: omega = (-w, 0, 0), r = (x, y, z) from the CG, so (0, w z, -w y)."""
     club = DRIVER.replace(cg_x="40 mm", cg_y="10 mm", cg_z="4 mm")
     rate = 20.0
@@ -177,7 +177,7 @@ def test_shots_are_referred_once_even_over_a_file(tmp_path):
         read_shots(tmp_path / "mixed.csv")
 
 
-def test_a_club_may_be_told_for_each_name_in_the_file(write):
+def test_each_club_name_of_a_file_may_have_its_own_club(write):
     text = "Club,Club Speed,Swing Direction,Dyn. Loft,Face Angle,Impact Offset,Impact Height\n"
     text += ",[mph],[deg],[deg],[deg],[mm],[mm]\n"
     path = write(text + "Driver,100,1,12,0,10,0\n7 Iron,80,1,24,0,10,0\n9 Iron,80,1,24,0,10,0\n")

@@ -89,7 +89,7 @@ def test_shots_of_one_day_are_one_session_whatever_the_hour(write):
     assert session_labels(shots).tolist() == ["2026-01-01", "2026-01-01", "2026-01-02"]
 
 
-def test_files_of_one_name_are_told_apart_by_their_folders(tmp_path):
+def test_files_of_one_name_are_distinguished_by_their_folders(tmp_path):
     paths = [tmp_path / month / "range.csv" for month in ("may", "june")]
     for place, path in enumerate(paths):
         path.parent.mkdir()

@@ -40,12 +40,12 @@ def test_shots_with_the_right_signs_are_not_suspected(club, seed):
 
 @pytest.mark.parametrize("club", ["driver", "7-iron"])
 @pytest.mark.parametrize("name", ["attack", "loft", "face", "path"])
-def test_a_turned_column_of_the_delivery_is_told(club, name):
+def test_a_delivery_column_of_the_wrong_sign_is_reported(club, name):
     notes = suspected_signs(turned(some(club), name))
     assert [each.data["quantity"] for each in notes] == [name]
 
 
-def test_a_turned_column_of_the_launch_is_told_if_everything_runs_against_it():
+def test_a_launch_column_of_the_wrong_sign_is_reported_if_all_others_contradict_it():
     turned_azimuth = suspected_signs(turned(some("7-iron"), "azimuth"))
     assert turned_azimuth == (("sign-turned", {"quantity": "azimuth", "others": ["face", "path"]}),)
     # Thirty drives do not tell it of the toe, so that face and path are suspected as much as the axis.
@@ -88,7 +88,7 @@ def test_few_shots_and_columns_that_never_change_say_nothing():
     assert suspected_signs(replace(still, deliveries={}, launches={"launch": still.launches["launch"]})) == ()
 
 
-def test_irons_that_are_hit_upwards_are_told_however_few(write):
+def test_even_a_few_irons_hit_upwards_are_reported(write):
     """Five shots are too few for slopes."""
     rows = "".join(f"{club},85,{attack}\n" for club, attack in zip(["7i"] * 5, (4, 4.5, 3, 5, 4), strict=True))
     shots = launch_monitor.read(write("club,club_speed_mph,attack_deg\n" + rows))

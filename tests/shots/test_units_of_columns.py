@@ -85,12 +85,12 @@ def test_a_row_of_units_serves_a_table_of_no_maker(write):
         ("Club,Ball Speed (mph),Carry (yd)\n" + "LW,20,30\n" * 3, "m/s"),
     ],
 )
-def test_values_that_only_another_unit_explains_are_said_to_be_in_it(write, content, unit):
+def test_values_that_only_another_unit_explains_name_that_unit(write, content, unit):
     with pytest.raises(FileError, match=f"most likely in {unit}"):
         launch_monitor.read(write(content))
 
 
-def test_what_no_unit_explains_is_not_measured_and_said_so(write):
+def test_a_value_that_no_unit_explains_is_noted_and_dropped(write):
     """16777215 stands for nothing in Foresight's files: no unit makes it an angle of golf."""
     shots = launch_monitor.read(write("Club,Ball Speed (mph),Face Angle (deg)\n" + "Driver,147,16777215\n" * 3))
     assert np.isnan(shots.deliveries["face"]).all()

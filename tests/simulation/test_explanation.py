@@ -202,7 +202,7 @@ def test_the_picture_has_all_directions_to_scale(shot):
 
 
 @pytest.mark.parametrize(("changes", "words"), [({"model": "fem"}, "derivatives"), ({"toe": [0.0, 0.01]}, "single")])
-def test_what_cannot_be_explained_is_refused(changes, words):
+def test_inexplicable_shots_are_refused(changes, words):
     with pytest.raises(InputError, match=words):
         clubface.explain("driver", speed="105 mph", **changes)
 

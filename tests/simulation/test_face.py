@@ -104,7 +104,7 @@ def test_a_set_that_says_nothing_of_the_face_includes_the_face_of_any_club():
         assert face_times("slip", of_time(time), parameters=mine) == (time, time)
 
 
-def test_the_value_of_a_ball_that_tells_the_restitution_goes_with_the_face_of_the_club():
+def test_restitution_given_by_the_ball_combines_with_the_face_of_the_club():
     def ball(**values):
         size = {"mass": 0.0459, "radius": 0.02135, "inertia": 8.3e-6}
         return clubface.Ball(name="mine", **size, parameters={"slip": values})
@@ -137,7 +137,7 @@ def test_a_time_given_with_the_shot_is_taken_as_it_is():
     assert launch.provenance["changed"]["values"] == {"characteristic_time": 240e-6}
 
 
-def test_every_way_to_a_model_keeps_the_rule_and_tells_of_it():
+def test_every_function_applies_the_included_face_and_records_it():
     shot = {"speed": 50.0, "loft": 0.2}
     for result in (
         clubface.impact("driver", shot, model="volumetric"),

@@ -165,7 +165,7 @@ def test_a_topped_ball_still_flies_or_rolls():
         ({"ball_speed": [70.0, 71.0], "launch": [0.1, 0.2, 0.3]}, {}, InputError, "broadcast"),
     ],
 )
-def test_a_mistake_is_told(launch, options, error, message):
+def test_a_mistake_is_reported(launch, options, error, message):
     with pytest.raises(error, match=message):
         clubface.fly(launch, **options)
 

@@ -238,7 +238,7 @@ def test_shots_that_cannot_be_computed_are_nan_or_an_error():
     assert np.isnan(jax.vmap(jax.grad(launch))(speeds)).tolist() == [False, True]
 
 
-def test_what_has_no_derivative_says_so():
+def test_inputs_without_derivatives_are_errors():
     speed = jnp.asarray(48.0)
 
     def spin(x, **options):

@@ -69,7 +69,7 @@ def test_a_launch_without_its_unit_is_refused():
         clubface.impact_at_launch("driver", speed=50.0, launch="12")
 
 
-def test_a_speed_outside_the_range_of_the_parameters_is_said_once_and_not_of_every_try(monkeypatch):
+def test_a_speed_outside_the_range_is_warned_of_once_and_not_for_every_try(monkeypatch):
     monkeypatch.setattr("clubface.support.checks._given", {})
     with pytest.warns(RangeWarning) as caught:
         clubface.impact_at_launch("driver", speed=20.0, launch="12 deg", model="slip")

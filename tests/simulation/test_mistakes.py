@@ -132,7 +132,7 @@ def test_memory_is_enough_for_the_reasons_of_shots_that_all_fail(monkeypatch, as
     assert used < max(counted)
 
 
-def test_what_fits_is_computed_and_what_does_not_is_told(monkeypatch):
+def test_as_many_shots_as_fit_memory_are_computed_and_more_are_refused(monkeypatch):
     """Free memory set to 200 MB, of which half may be used.
 
     22 outputs of 8 bytes, and 400 bytes for the reason of a shot without a result, make 173611 shots.

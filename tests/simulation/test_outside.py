@@ -60,7 +60,7 @@ def test_the_strikes_of_the_fit_fill_the_range_and_none_is_outside():
         ({"loft": "68 deg", "attack": "-3 deg", "face": "20 deg"}, "angle between path and face normal 72.36 deg"),
     ],
 )
-def test_each_quantity_is_told_beyond_its_end_and_not_before(values, words):
+def test_each_quantity_is_reported_beyond_its_range_and_not_within(values, words):
     assert remark(quietly("driver", **{"speed": 50.0, **values})).startswith(
         f"outside the range of response: {words} ("
     )
@@ -131,7 +131,7 @@ def test_a_file_of_deliveries_has_one_note_with_the_number(write, tmp_path):
     assert len(table(tmp_path / "out.csv")) == 42
 
 
-def test_a_set_of_ones_own_may_have_a_range(write):
+def test_a_custom_set_may_have_a_range(write):
     text = ParameterSet.builtin("slip", "driver").to_toml()
     assert "[set.range]\nspeed = [" in text
     again = ParameterSet.from_toml(write(text, "own.toml"))
@@ -153,7 +153,7 @@ def test_the_range_of_a_model_is_that_of_every_set_without_its_own():
 
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
-def test_a_ball_of_other_pieces_without_coefficients_is_told():
+def test_a_ball_without_coefficients_of_its_own_is_reported():
     message = "response has no coefficients of the ball paper and takes those of modern"
     paper = clubface.ball("paper")
     assert remark(quietly("driver", speed=50.0, ball=paper)) == message
@@ -165,7 +165,7 @@ def test_a_ball_of_other_pieces_without_coefficients_is_told():
     assert remark(quietly("driver", speed=50.0, ball=paper, parameters=chosen)) == ""
 
 
-def test_an_inferred_delivery_is_told_by_its_mean_and_a_file_of_them_in_its_remarks(tmp_path):
+def test_an_inferred_delivery_outside_the_range_is_warned_of_and_remarked_in_files(tmp_path):
     from clubface.inference.file import infer_shots
     from clubface.shots.recorded import RecordedShots
 

@@ -151,7 +151,7 @@ def test_a_ball_is_never_pulled():
     assert clubface.history("driver", speed=40.0, model="mine").normal_force.min() == 0.0
 
 
-def test_what_other_models_refuse_is_refused():
+def test_a_custom_law_refuses_what_other_models_refuse():
     registered()
     with pytest.raises(ShotError, match="outside the face outline"):
         clubface.impact("driver", speed=45.0, toe="90 mm", model="mine")
@@ -390,14 +390,14 @@ def test_a_compiled_law_is_the_same_law(compiled):
         ((1.0, 0.0, 0.0, [1.0, math.inf]), "inf as the rate of stretch_z"),
     ],
 )
-def test_rates_that_are_none_are_refused(returned, message):
+def test_invalid_rates_are_refused(returned, message):
     clubface.register_law("mine", lambda touch, values, states: returned, states=STRETCHES)
     with pytest.raises(RunError, match=message):
         clubface.impact("driver", speed=45.0, model="mine")
 
 
 @pytest.mark.parametrize("states", [5, {"a": "0 mm"}, {"a": "3 bananas"}, {f"s{i}": 1.0 for i in range(25)}])
-def test_states_that_are_none_are_refused(states):
+def test_invalid_states_are_refused(states):
     with pytest.raises(ClubfaceError):
         clubface.register_law("mine", spring, states=states)
 
@@ -408,7 +408,7 @@ def test_a_name_must_be_a_new_word(name):
         clubface.register_law(name, hertz)
 
 
-def test_what_is_no_law_or_parameter_is_refused():
+def test_invalid_laws_and_parameters_are_refused():
     with pytest.raises(InputError, match="law"):
         clubface.register_law("mine", 3)
     with pytest.raises(ClubfaceError, match="stiffness"):
@@ -420,7 +420,7 @@ def test_what_is_no_law_or_parameter_is_refused():
             clubface.register_law("mine", hertz, parameters=given)
 
 
-def test_what_design_asks_of_a_model_a_law_answers():
+def test_a_custom_law_serves_comparisons_and_maps():
     registered()
     swing = {"speed": "110 mph", "loft": "13 deg"}
     compared = clubface.compare(
@@ -432,7 +432,7 @@ def test_what_design_asks_of_a_model_a_law_answers():
     assert result.at(0.0, 0.0)["ball_speed"] == pytest.approx(middle.ball_speed, rel=1e-3)
 
 
-def test_what_needs_a_compiled_model_says_what_it_takes_and_unknown_names_list_the_law():
+def test_functions_for_compiled_models_refuse_a_custom_law_and_unknown_names_list_it():
     registered()
     with pytest.raises(InputError, match="one with derivatives"):
         clubface.explain("driver", speed=45.0, model="mine")

@@ -53,7 +53,7 @@ def test_every_sufficient_part_of_a_spin_gives_the_whole(names, ball):
 @pytest.mark.parametrize("names", INSUFFICIENT, ids="-".join)
 @settings(max_examples=25)
 @given(ball=balls)
-def test_what_does_not_follow_is_not_made_up(names, ball):
+def test_spins_that_do_not_follow_stay_unknown(names, ball):
     whole = vector(*ball)
     result = complete({name: np.array([whole[name]]) for name in names})
     assert set(result.values) == set(names)
@@ -73,7 +73,7 @@ def test_spins_as_monitors_round_them_do_not_contradict_each_other(ball):
 
 @settings(max_examples=25)
 @given(ball=balls, name=st.sampled_from(["backspin", "sidespin", "total_spin"]), off=st.sampled_from([1.4, 0.6, -1.0]))
-def test_one_of_four_that_the_others_contradict_is_said_and_left_out(ball, name, off):
+def test_one_spin_that_the_three_others_contradict_is_noted_and_left_out(ball, name, off):
     whole = {each: value / UNITS[each] for each, value in vector(*ball).items()}
     result, (contradiction,) = completed(**whole | {name: off * whole[name]})
     assert name not in contradiction.kept

@@ -182,7 +182,7 @@ def test_jax_gives_the_same_gradient():
         assert slope.item() == float(other[name]), name
 
 
-def test_what_cannot_be_computed_or_differentiated_says_so():
+def test_impossible_shots_and_derivatives_are_errors():
     speeds = torch.tensor([45.0, 500.0], dtype=torch.float64, requires_grad=True)
     with pytest.raises(ShotError, match="speed"):
         clubface.torch.impact("driver", speed=speeds)

@@ -88,14 +88,14 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
     assert sums(path) == sums(whole)
 
 
-def test_an_address_without_a_scheduler_is_told(tmp_path, monkeypatch):
+def test_an_address_without_a_scheduler_is_reported(tmp_path, monkeypatch):
     monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 1.0)
     with pytest.raises(LinkError, match=r"127.0.0.1:9 is not a scheduler that answers"):
         studies.run(squares(tmp_path), scheduler="127.0.0.1:9")
 
 
 @pytest.mark.parametrize("says", [None, b"HTTP/1.0 400 Bad Request\r\n\r\n", b"\x01" + bytes(7) + b"\xff" * 8])
-def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, says):
+def test_a_server_that_is_no_scheduler_is_reported_in_time(tmp_path, monkeypatch, says):
     """One that says nothing, one of the web, and one that announces a message of 2^64 bytes."""
     monkeypatch.setattr(jobs_workers, "SCHEDULER_TIMEOUT", 1.0)
     server = socket.create_server(("127.0.0.1", 0))
@@ -117,7 +117,7 @@ def test_a_server_that_is_no_scheduler_is_told_in_time(tmp_path, monkeypatch, sa
     assert time.monotonic() - begun < 60.0  # it waited without end
 
 
-def test_the_address_of_a_worker_is_told(tmp_path):
+def test_the_address_of_a_worker_is_reported(tmp_path):
     with scheduler(tmp_path) as (address, _), workers(address, 1):
         from distributed import Client
 

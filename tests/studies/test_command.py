@@ -78,7 +78,7 @@ def test_a_level_in_per_cent_is_written_as_in_every_sentence(study, tmp_path):
     assert re.findall(r"\d+ ?%", study("summary", path).out) == ["10%", "90%"]
 
 
-def test_classes_of_an_input_are_told_no_finer_than_they_are_wide(study, tmp_path):
+def test_classes_of_an_input_are_printed_no_finer_than_they_are_wide(study, tmp_path):
     """Ten classes of 85 to 120 mph are 3.5 mph wide: their ends are told to a tenth."""
     path = tmp_path / "many.toml"
     path.write_text(
@@ -142,7 +142,7 @@ def test_the_state_of_a_study_counts_the_missing_chunks_that_it_does_not_list(st
         ("attack =", 'table = "a.csv"\nattack =', ('write design = "table"',)),
     ],
 )
-def test_a_mistake_in_the_file_is_told_and_nothing_is_written(study, tmp_path, old, new, words):
+def test_a_mistake_in_the_file_is_reported_and_nothing_is_written(study, tmp_path, old, new, words):
     path = shots(tmp_path)
     text = path.read_text()
     assert old in text
@@ -163,12 +163,12 @@ def test_a_mistake_in_the_file_is_told_and_nothing_is_written(study, tmp_path, o
         (("summary", "{}", "--plot", "all.gif"), ("--plot", ".png")),
     ],
 )
-def test_a_mistake_in_the_options_is_told(study, tmp_path, arguments, words):
+def test_a_mistake_in_the_options_is_reported(study, tmp_path, arguments, words):
     path = squares(tmp_path)
     assert_mistake(study(*(each.format(path) for each in arguments)), *words)
 
 
-def test_another_quantity_than_those_of_the_study_is_told(study, tmp_path):
+def test_a_quantity_that_the_study_lacks_is_reported(study, tmp_path):
     path = squares(tmp_path)
     study("run", path)
     assert_mistake(study("summary", path, "--output", "carry"), "unknown quantity of the study 'carry'")

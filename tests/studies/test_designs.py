@@ -225,7 +225,7 @@ def test_a_table_with_a_row_that_cannot_be_used_is_refused(write, text, words):
         (["90 deg"], "not an angle"),
     ],
 )
-def test_an_axis_that_cannot_be_used_is_told(given, words):
+def test_an_unusable_axis_is_reported(given, words):
     with pytest.raises(InputError, match=words):
         axis("speed", given, SPEED)
 
@@ -238,7 +238,7 @@ def test_a_flat_face_is_no_end_of_an_interval(rest):
             axis("bulge", {"from": ends[0], "to": ends[1], **rest}, Swept("m"))
 
 
-def test_designs_and_axes_that_do_not_fit_are_told():
+def test_designs_and_axes_that_do_not_fit_are_reported():
     with pytest.raises(InputError, match=r'sweep is empty; .* as in speed = \["90 mph"'):
         design("grid", [], None, 0)
     with pytest.raises(InputError, match="an interval is for samples"):

@@ -128,7 +128,7 @@ speed = ["100 mph", "110 mph"]
     assert result.columns["backspin"][1] == launch.backspin
 
 
-def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path, in_this_process):
+def test_shots_without_a_result_are_nan_and_reported_with_their_task(tmp_path, in_this_process):
     path = shots(tmp_path, text=shots_of_speeds('["105 mph", "-5 mph", "100 mph"]'))
     done = studies.run(path, workers=1)
     assert done.failed[0] == 1
@@ -138,7 +138,7 @@ def test_shots_without_a_result_are_nan_and_told_with_their_task(tmp_path, in_th
     assert np.isfinite(table.overall.mean).all()
 
 
-def test_shots_outside_the_range_of_a_model_are_told(tmp_path, in_this_process):
+def test_shots_outside_the_range_of_a_model_are_reported(tmp_path, in_this_process):
     done = studies.run(shots(tmp_path, text=shots_of_speeds('["90 mph", "105 mph"]', 'model = "adjusted"')), workers=1)
     assert done.remark == "outside the range of adjusted: clubhead speed in 1 of 2 shots (valid: 101 to 118 mph)"
 
@@ -246,13 +246,13 @@ def test_conditions_are_columns_of_a_table(tmp_path, in_this_process):
         ("", "altitude = [1]\nair.altitude = [2]", "swept twice"),
     ],
 )
-def test_conditions_that_do_not_go_together_are_told_with_their_line(tmp_path, held, sweep, words):
+def test_conditions_that_do_not_go_together_are_reported_with_their_line(tmp_path, held, sweep, words):
     path = shots(tmp_path, text=CONDITIONS.replace("{held}", held).replace("{sweep}", sweep))
     with pytest.raises(FileError, match=words):
         computed(path)
 
 
-def test_a_law_of_ones_own_is_refused_before_the_study_begins(tmp_path):
+def test_a_custom_law_is_refused_before_the_study_begins(tmp_path):
     """Workers are other processes, which do not know it."""
     clubface.register_law("mine", lambda touch, values: (0.0, 0.0, 0.0))
     try:

@@ -251,7 +251,7 @@ def test_a_study_of_motion_capture_is_that_of_the_package(tmp_path):
         ("capture", "swing = 1", "swing = [1]", "swing is held and swept"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_file(tmp_path, name, table, sweep, words):
+def test_what_is_wrong_is_reported_with_its_file(tmp_path, name, table, sweep, words):
     with pytest.raises(FileError, match=words):
         computed(tmp_path, name, table, sweep)
 
@@ -274,7 +274,7 @@ def test_what_counts_is_whole_and_within_limits(tmp_path, name, table, sweep, wo
         computed(tmp_path, name, table, sweep)
 
 
-def test_a_task_that_cannot_be_computed_is_told_and_the_others_have_their_result(tmp_path):
+def test_a_failing_task_is_reported_and_the_others_have_their_results(tmp_path):
     (tmp_path / "better.toml").write_text(BETTER)
     _, result = computed(tmp_path, "optimise", 'file = "better.toml"', 'variables.loft.most = ["7 deg", "12 deg"]')
     assert [index for index, _ in result.failed] == [0]

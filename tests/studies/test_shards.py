@@ -56,6 +56,6 @@ def test_a_share_is_typed_or_taken_from_the_scheduler(text, environment, result)
         ("slurm", {**SLURM, "SLURM_ARRAY_TASK_ID": "x"}, "SLURM_ARRAY_TASK_ID is 'x'"),
     ],
 )
-def test_a_share_that_there_is_not_is_told(text, environment, words):
+def test_a_share_that_does_not_exist_is_reported(text, environment, words):
     with pytest.raises(InputError, match=words):
         shard_of(text, environment)

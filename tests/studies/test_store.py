@@ -108,7 +108,7 @@ def test_what_is_finished_is_not_computed_again(tmp_path):
 
 
 @pytest.mark.parametrize("at", [0, 100, 0.3, 0.6, 0.9, -1])
-def test_a_part_with_a_changed_byte_is_computed_again_and_told(tmp_path, at):
+def test_a_part_with_a_changed_byte_is_computed_again_and_reported(tmp_path, at):
     path = shots(tmp_path)
     studies.run(path, workers=1)
     before, file = sums(path), part(path, 3)
@@ -209,7 +209,7 @@ def test_other_folders_are_left_alone(tmp_path):
         studies.status(path)
 
 
-def test_a_damaged_record_is_told(tmp_path):
+def test_a_damaged_record_is_reported(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1)
     record = tmp_path / "squares.store" / "record.json"
@@ -261,7 +261,7 @@ def test_an_input_that_is_swept_too_far_to_both_sides_has_results_between(tmp_pa
     assert 0 < done.failed[0] < done.tasks
 
 
-def test_a_mistake_that_only_a_task_shows_is_told_with_its_file_and_leaves_no_store(tmp_path):
+def test_a_mistake_found_by_the_first_task_is_reported_with_its_file_and_leaves_no_store(tmp_path):
     path = shots(tmp_path)
     path.write_text(path.read_text().replace("[sweep]", 'parameters = { friction = -1 }\nmodel = "area"\n[sweep]'))
     with pytest.raises(FileError, match=r"shots\.toml:8: friction is"):

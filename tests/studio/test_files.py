@@ -139,7 +139,7 @@ NO_FILES = [
 
 @pytest.mark.parametrize("name", ["session.csv", "session.xlsx", "session.parquet", "../../x", "club.toml", "a.c3d"])
 @pytest.mark.parametrize("content", NO_FILES)
-def test_what_is_no_file_of_shots_is_answered_with_a_sentence(studio, name, content):
+def test_a_file_without_shots_is_answered_with_a_sentence(studio, name, content):
     answer = added(studio, content, name)
     assert answer.status_code == 422
     mistake = answer.json()

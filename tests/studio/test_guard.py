@@ -86,7 +86,7 @@ def test_no_file_outside_the_site_is_served(tmp_path, path):
 
 @pytest.mark.parametrize(("method", "path"), [("GET", "api/nothing"), ("PUT", "api/files"), ("DELETE", "api/files/x"),
                                               ("POST", "api/"), ("GET", "api/files/x/y/z")])  # fmt: skip
-def test_what_is_not_there_is_said_in_json(studio, method, path):
+def test_a_missing_resource_is_a_json_answer(studio, method, path):
     answer = studio.request(method, path)
     assert answer.status_code in (404, 405)
     assert set(answer.json()) == {"where", "what", "allowed"}

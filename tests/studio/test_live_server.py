@@ -205,7 +205,7 @@ def test_a_port_that_is_taken_costs_its_protocol_alone(tmp_path):
             assert links["opengolfsim"] == links["flight-relay"] == ""
 
 
-def test_a_device_that_is_not_there_yet_is_said_to_be_waited_for(tmp_path):
+def test_a_device_that_has_not_connected_yet_is_shown_as_awaited(tmp_path):
     from websockets.sync.server import serve
 
     with serve(lambda socket: socket.recv(), "127.0.0.1", 0) as device:
@@ -233,7 +233,7 @@ def test_a_device_that_is_not_there_yet_is_said_to_be_waited_for(tmp_path):
     (("--flight-relay", "70000"), "--flight-relay is 70000; it must be a whole number from 0 to 65535"),
     (("--site", "nowhere"), "this folder holds no built studio"),
 ])  # fmt: skip
-def test_mistakes_of_the_command_are_said(clubface_, tmp_path, monkeypatch, options, words):
+def test_mistakes_of_the_command_are_reported(clubface_, tmp_path, monkeypatch, options, words):
     from command_line import assert_mistake
     from studio_pages import made_site
 

@@ -52,7 +52,7 @@ def test_no_other_folder_is_opened(studio, name):
     assert answer.json()["what"]
 
 
-def test_without_a_folder_it_is_said_how_to_name_one(tmp_path):
+def test_without_a_folder_the_answer_says_how_to_name_one(tmp_path):
     studio = client(tmp_path)
     assert studio.get("api/studies").json()["tables"]["studies"]["rows"] == []
     assert "clubface studio --studies FOLDER" in studio.get("api/studies/x/summary").json()["what"]

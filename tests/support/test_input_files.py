@@ -84,7 +84,7 @@ def test_a_file_under_two_names_is_one_file(tmp_path, monkeypatch):
     assert only.path == "mine.toml"
 
 
-def test_files_of_one_name_are_told_apart_by_their_folders():
+def test_files_of_one_name_are_distinguished_by_their_folders():
     assert short_names(["/a/x/anna.toml", "/a/y/anna.toml", "/a/my.toml"]) == ["x/anna.toml", "y/anna.toml", "my.toml"]
     assert short_names(["anna.toml", "sub/anna.toml"]) == ["anna.toml", "sub/anna.toml"]
 
@@ -182,7 +182,7 @@ KINDS = ("loop", "folder", "pipe", "no end", "not UTF-8", "long", "under a file"
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name")
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_is_no_file_has_no_content_not_even_an_empty_one(kind, tmp_path):
+def test_a_missing_file_has_no_content_not_even_an_empty_one(kind, tmp_path):
     with pytest.raises(FileError):
         read_input(special(kind, tmp_path))
 

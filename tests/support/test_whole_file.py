@@ -45,7 +45,7 @@ def test_a_block_that_raises_leaves_what_was_there(tmp_path, error):
 
 
 @pytest.mark.parametrize("call", ["fsync", "replace"])
-def test_a_system_that_refuses_at_the_end_is_told_and_leaves_what_was_there(tmp_path, monkeypatch, call):
+def test_a_write_that_fails_at_the_end_is_reported_and_keeps_the_old_file(tmp_path, monkeypatch, call):
     path = write_text(tmp_path / "a.csv", "before")
 
     def full(*_):

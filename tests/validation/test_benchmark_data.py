@@ -180,7 +180,7 @@ def test_the_monitor_errs_by_fifty_rpm_and_a_fifth_of_a_degree(club, shots):
         assert np.abs(error).mean() == pytest.approx(mean, rel=5 * 0.76 / math.sqrt(len(shots)))
 
 
-def test_an_unknown_club_is_told_with_those_there_are():
+def test_an_unknown_club_is_reported_with_the_known_ones():
     with pytest.raises(UnknownNameError, match="driver, 7-iron"):
         benchmark_data.load("putter")
 

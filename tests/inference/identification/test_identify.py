@@ -169,7 +169,7 @@ def test_a_checkpoint_of_something_else_is_refused(tmp_path):
     assert small(checkpoint=tmp_path / "none.json", resume=True).cost > 0.0
 
 
-def test_the_effort_is_that_of_a_search_of_p1():
+def test_the_number_of_evaluations_is_that_of_the_published_search():
     result = small(folds=0, bootstrap=0, profiles=())
     assert result.evaluations >= 40 + 2 * 2
     assert result.impacts == result.evaluations * 25

@@ -26,7 +26,7 @@ heads = st.sampled_from(["speed", "speed,toe_mm", "speed;toe_mm", "club_speed_mp
     )
 )
 @example(content=b"speed\n" + b'"' + b"1," * 200_000)
-def test_whatever_a_file_holds_every_row_is_told_or_the_file_is_refused(tmp_path, content):
+def test_every_row_of_any_file_is_accounted_for_or_the_file_is_refused(tmp_path, content):
     """Fuzz: only a ClubfaceError comes out, and each row read is either written or rejected."""
     path = tmp_path / "fuzz.csv"
     path.write_bytes(content)

@@ -110,7 +110,7 @@ def test_line_numbers_survive_cells_of_several_lines_blank_lines_and_pieces(writ
 
 
 @pytest.mark.parametrize("chunk", [1, 3, 100])
-def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
+def test_each_bad_row_is_rejected_for_its_own_reason(write, tmp_path, chunk):
     """Unreadable, refused by the core, of the wrong width, good: in one chunk each keeps its own place."""
     rows = ["a,x,1", "b,100,1", "c,100,80", "d,100", "e,y,1", "f,101,2", "g,100,90", "h,102,3", "i,-1,3", "j,103,4"]
     path = write("id,speed_mph,toe_mm\n" + "\n".join(rows))
@@ -127,7 +127,7 @@ def test_rows_bad_for_different_reasons_are_told_apart(write, tmp_path, chunk):
         assert float(row["ball_speed_mps"]) == pytest.approx(alone.ball_speed, rel=5.1e-9)
 
 
-def test_long_rows_make_short_pieces(write, tmp_path, monkeypatch):
+def test_long_rows_make_short_chunks(write, tmp_path, monkeypatch):
     """Rows of some thousand characters; a chunk ends after 10000, however many rows it may have."""
     path = write("speed [m/s],note\n" + "".join(f"{40 + row},{'x' * 4000}\n" for row in range(10)))
     whole, cut = tmp_path / "whole.csv", tmp_path / "cut.csv"

@@ -98,7 +98,7 @@ def test_rows_and_results_stay_together_beside_rows_that_are_left_out(write):
         assert [(row["line"], row["club_speed_mph"]) for row in csv.DictReader(file)] == [("3", "99")]
 
 
-def test_a_monitors_rejected_rows_are_told_once_whatever_the_chunks(tmp_path):
+def test_rejected_rows_of_a_monitor_are_reported_once_for_any_chunk_size(tmp_path):
     options = {"club": "7-iron", "only": "7i", "assume": {"speed": "80 mph", "path": 0.0, "attack": 0.0}}
     whole, parts = (
         predict(TRACKMAN, output=tmp_path / f"{rows}.csv", chunk_rows=rows, **options) for rows in (1000, 1)

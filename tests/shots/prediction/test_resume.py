@@ -88,7 +88,7 @@ def test_a_run_over_parquet_goes_on_with_pieces_of_another_size(write, tmp_path)
 
 @pytest.mark.parametrize("name", ["000000000020+10.csv", "000000000020+10.rejects.csv"])
 @pytest.mark.parametrize("harm", ["bit", "gone"])
-def test_a_damaged_piece_is_computed_anew_and_no_other(write, tmp_path, name, harm, monkeypatch):
+def test_a_damaged_part_is_computed_again_and_no_other(write, tmp_path, name, harm, monkeypatch):
     path, output = write(MANY), tmp_path / "out.csv"
     predict(path, club="driver", output=tmp_path / "whole.csv", chunk_rows=10)
     begin(path, output)
@@ -110,7 +110,7 @@ def test_a_damaged_piece_is_computed_anew_and_no_other(write, tmp_path, name, ha
 
 
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_a_piece_written_but_not_recorded_is_written_anew(write, tmp_path, ending):
+def test_a_part_written_but_not_recorded_is_written_again(write, tmp_path, ending):
     path, output = write(MANY), tmp_path / f"out.{ending}"
     begin(path, output)
     part(output, f"000000000030+10.{ending}").with_name(f"000000000040+10.{ending}").write_bytes(b"half a row")
@@ -121,7 +121,7 @@ def test_a_piece_written_but_not_recorded_is_written_anew(write, tmp_path, endin
 
 @pytest.mark.parametrize("renamed", [0, 1, 2])
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_death_at_the_renames_at_the_end_leaves_what_can_be_resumed(write, tmp_path, ending, renamed, monkeypatch):
+def test_a_process_killed_during_the_final_renames_can_be_resumed(write, tmp_path, ending, renamed, monkeypatch):
     """Before the first, between both, and before the store is removed: a process that dies does no more."""
     path, output = write(MANY), tmp_path / f"out.{ending}"
     predict(path, club="driver", output=tmp_path / f"whole.{ending}", chunk_rows=10)
@@ -174,7 +174,7 @@ def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_pat
     assert predict(path, club="driver", output=output).rows == 100
 
 
-def test_a_run_goes_on_by_itself_and_another_begins_anew_in_its_place(write, tmp_path):
+def test_an_interrupted_run_resumes_by_itself_and_a_different_one_replaces_it(write, tmp_path):
     path, output = write(MANY), tmp_path / "out.csv"
     begin(path, output)
     part(output, "../job.json").write_text("{")  # each value says what it belongs to
@@ -242,7 +242,7 @@ def run(*arguments):
 
 
 @pytest.mark.parametrize("model", ["volumetric", "slip"])
-def test_a_file_that_another_process_writes_is_refused_and_the_dead_hold_nothing(write, tmp_path, model):
+def test_an_output_of_another_process_is_refused_and_dead_processes_hold_no_lock(write, tmp_path, model):
     """With the same options or others."""
     path, output = write(MANY), tmp_path / "out.csv"
     refused = []
@@ -272,7 +272,7 @@ clubface.register_law("mine", law)
 """
 
 
-def test_a_law_of_ones_own_that_was_edited_begins_anew(write, tmp_path):
+def test_an_edited_custom_law_starts_again(write, tmp_path):
     """The name is the same, and half the rows are those of the old law."""
     path, output, own = write(GOOD + "3,100,0,11,0\n"), tmp_path / "out.csv", tmp_path / "own.py"
     options = {"club": "driver", "model": "mine", "output": output, "chunk_rows": 1, "carry": False}
