@@ -74,20 +74,20 @@ def test_a_file_of_another_version_is_named_and_no_tag_is_set(sources, capsys, p
     assert git(sources, "tag") == ""
 
 
-def test_changes_that_no_version_has_keep_a_release_back(sources, capsys):
-    path = sources / "CHANGELOG.md"
-    path.write_text(path.read_text(encoding="utf-8").replace("## Unreleased\n", "## Unreleased\n\n* New.\n"))
+@pytest.mark.parametrize(
+    ("place", "old", "new", "word"),
+    [
+        ("CHANGELOG.md", "## Unreleased\n", "## Unreleased\n\n* New.\n", "Unreleased"),
+        ("CITATION.cff", "date-released: 2", "date-released: 1", "date-released"),
+    ],
+    ids=["changes of no version", "another date"],
+)
+def test_what_no_version_has_keeps_a_release_back(sources, capsys, place, old, new, word):
+    path = sources / place
+    path.write_text(path.read_text(encoding="utf-8").replace(old, new))
     commit(sources)
     assert release.main([__version__], sources) == 1
-    assert "Unreleased" in capsys.readouterr().err
-
-
-def test_dates_of_changelog_and_citation_agree(sources, capsys):
-    path = sources / "CITATION.cff"
-    path.write_text(path.read_text(encoding="utf-8").replace("date-released: 2", "date-released: 1"))
-    commit(sources)
-    assert release.main([__version__], sources) == 1
-    assert "date-released" in capsys.readouterr().err
+    assert word in capsys.readouterr().err
 
 
 def test_uncommitted_files_keep_a_release_back(sources, capsys):

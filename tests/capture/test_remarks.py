@@ -31,8 +31,9 @@ def remarks(deviations=None, assumed=0.0, **changed):
     return [(each.code, each.data) for each in delivery_notes(si(USUAL | changed), known, DRIVER, assumed=assumed)]
 
 
-def test_nothing_is_remarked_of_a_usual_delivery():
+def test_a_usual_delivery_has_no_remarks_with_or_without_a_flight():
     assert remarks() == []
+    assert list(launch_notes(si(USUAL), DRIVER, None, None, 1.0)) == []
 
 
 @pytest.mark.parametrize(
@@ -128,7 +129,3 @@ def test_a_flight_that_the_delivery_cannot_give_is_noted(change, codes):
         else:
             ratio = each.data["seen"]["ball_speed"] / each.data["expected"]["ball_speed"]
             assert ratio == pytest.approx(change.get("faster", 1.0))
-
-
-def test_without_a_flight_there_is_no_note_on_it():
-    assert list(launch_notes(si(USUAL), DRIVER, None, None, 1.0)) == []

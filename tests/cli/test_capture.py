@@ -95,8 +95,9 @@ def test_markers_of_a_file_are_listed(clubface_, folder):
     assert "HEAD5" in printed
 
 
-def test_a_template_is_written_once(clubface_, tmp_path):
+def test_a_template_names_the_markers_of_a_file_and_is_written_once(clubface_, folder, tmp_path):
     assert "[cluster]" in clubface_("capture", "template").out
+    assert 'HEAD5 = "seen"\nBALL = "seen"\n' in clubface_("capture", "template", str(folder / "swing-001.c3d")).out
     target = str(tmp_path / "map.toml")
     assert clubface_("capture", "template", "-o", target).status == 0
     assert_mistake(clubface_("capture", "template", "-o", target), "exists already; it is left as it is")
@@ -192,11 +193,6 @@ def test_a_table_gets_its_pictures_beside_it_and_a_printed_delivery_none(clubfac
     assert clubface_(*arguments(folder), "--plot", str(picture)).status == 0
     assert picture.stat().st_size > 20_000
     assert_mistake(clubface_(*arguments(folder, *names), "--plot", str(picture)), "--plot", "several swings", ".pdf")
-
-
-def test_a_template_names_the_markers_of_a_file(clubface_, folder):
-    ran = clubface_("capture", "template", str(folder / "swing-001.c3d"))
-    assert 'HEAD5 = "seen"\nBALL = "seen"\n' in ran.out
 
 
 def test_without_matplotlib_the_table_is_written_all_the_same(clubface_, folder, monkeypatch):

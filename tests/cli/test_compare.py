@@ -164,6 +164,7 @@ def test_file_and_picture_are_written(clubface_, heavier, tmp_path):
         (["driver", "--delivery", "loft=4 deg", "--delivery", "loft=4deg"], ["--delivery", "given once"]),
         (["driver", "--delivery", "loft=4 deg, loft=5 deg", "--delivery", "toe=0 mm"], ["--delivery", "given once"]),
         (["driver", "--delivery", "speed=45 m/s", "--delivery", "speed=46 m/s"], ["--speed has no effect"]),
+        (["driver", "3-wood", "5-wood", "--model", "all", "--ball", "modern", "--ball", "distance"], ["at most 24"]),
     ],
 )
 def test_a_mistake_is_one_message(clubface_, arguments, words):
@@ -198,12 +199,6 @@ def test_a_column_that_is_nearly_an_input_is_remarked_on(clubface_, write):
 
 def test_the_speed_must_be_given(clubface_):
     assert_mistake(clubface_("compare", "driver", "3-wood"), "--speed is missing")
-
-
-def test_too_many_combinations_are_refused(clubface_):
-    arguments = ["--model", "all", "--ball", "modern", "--ball", "distance"]
-    clubs = ["driver", "3-wood", "5-wood"]
-    assert_mistake(clubface_("compare", *clubs, "--speed", "105 mph", *arguments), "at most 24")
 
 
 def test_equal_clubs_are_noted(clubface_, tmp_path):

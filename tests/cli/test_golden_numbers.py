@@ -125,14 +125,10 @@ def test_dispersions(case, clubface_):
     assert_same(numbers, case["numbers"], len(case["numbers"]))
 
 
-def test_the_reference_case(clubface_):
-    case = stored("elements")["cases"][0]
-    ran = clubface_("fem", "reference", "--json")
-    assert_same(row_si(ran.json["tables"]["reference"]), case["numbers"], 10)
-
-
-def test_a_drive_by_finite_elements(clubface_):
-    case = stored("elements")["cases"][1]
-    options = options_of(case["link"], "against", "follow")
-    ran = clubface_("shot", case["link"]["club"], "--model=fem", *options, "--json")
-    assert_same(row_si(ran.json["tables"]["shots"]), case["numbers"], 10)
+def test_the_reference_case_and_a_drive_by_finite_elements(clubface_):
+    case, drive = stored("elements")["cases"]
+    reference = clubface_("fem", "reference", "--json").json["tables"]["reference"]
+    assert_same(row_si(reference), case["numbers"], 10)
+    options = options_of(drive["link"], "against", "follow")
+    shot = clubface_("shot", drive["link"]["club"], "--model=fem", *options, "--json").json["tables"]["shots"]
+    assert_same(row_si(shot), drive["numbers"], 10)

@@ -46,6 +46,7 @@ def test_the_recipe_gives_the_shipped_files_bit_for_bit(club):
 
 def test_there_are_as_many_shots_as_were_published_and_nothing_is_missing(club, shots):
     assert len(shots) == len(shots.truth) == SHOTS[club]
+    assert str(shots).startswith(f"{SHOTS[club]} benchmark shots of the {club}")
     assert set(shots.measured.clubs) == {HEADS[club]}
     for table in (shots.measured, shots.truth):
         assert set(table.deliveries) == set(recipe(club).delivery)
