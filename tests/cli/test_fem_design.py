@@ -83,7 +83,7 @@ def test_a_document_has_everything(clubface_, files):
     ("old", "new", "message"),
     [
         ("[variables.thickness]", "[variables.wall]", "study.toml:6: "),
-        ('"2.4 mm", "3.6 mm"', '"2.4 mm", "2.6 mm"', "bounds that hold what the head has"),
+        ('"2.4 mm", "3.6 mm"', '"2.4 mm", "2.6 mm"', "bounds that include"),
         ("head.toml", "study.toml", "kind"),
         ("designs = 3", "designs = 1", "designs is 1"),
     ],

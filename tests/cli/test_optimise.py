@@ -184,8 +184,8 @@ def test_mistakes_on_the_command_line_are_reported_before_any_work(clubface_, st
     ("text", "words"),
     [
         (lambda: club("driver").to_toml(), ("this is a club", 'club = "my-driver.toml"')),
-        (lambda: (EXAMPLES / "lofts.toml").read_text(), ("clubface study run reads it",)),
-        (lambda: (EXAMPLES / "faster_face.toml").read_text(), ("clubface fem design reads it",)),
+        (lambda: (EXAMPLES / "lofts.toml").read_text(), ("clubface study run",)),
+        (lambda: (EXAMPLES / "faster_face.toml").read_text(), ("clubface fem design",)),
     ],
 )
 def test_a_file_of_something_else_is_reported_with_what_reads_it(clubface_, tmp_path, text, words):

@@ -336,7 +336,7 @@ def test_rows_of_a_file_are_deliveries(write):
     assert result["high"] == pytest.approx({"speed": 46.9392, "loft": math.radians(14.0), "toe": 0.005})
     assert list(read_deliveries(write("club_speed_mph\n100\n105\n"), 24)) == ["line 2", "line 3"]
     for text, words in (
-        ("name,club_speed_mph\na,100\na,105\n", "called 'a' already"),
+        ("name,club_speed_mph\na,100\na,105\n", "'a' is used twice"),
         ("name,club_speed_mph\na,fast\n", "line 2|fast"),
         ("name,club_speed_mph\n", "no row"),
         ("club_speed_mph\n" + "100\n" * 25, "more than 24"),

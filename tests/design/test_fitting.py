@@ -105,7 +105,7 @@ def test_what_is_free_stands_at_an_end_whatever_the_setting_adds():
 @pytest.mark.parametrize("free", ["", 'loft = ["-1 deg", "1 deg"]\n'])
 def test_a_setting_without_any_computable_shot_is_reported(free):
     text = f'[fit]\nclubs = ["driver"]\n{free}[[fit.setting]]\nname = "over"\nlie = "90 deg"\n'
-    with pytest.raises(ValueError, match="without result for driver with the setting over"):
+    with pytest.raises(ValueError, match="impossible for driver with the setting over"):
         fit(from_text(BEGIN + text))
 
 

@@ -100,8 +100,8 @@ def test_a_variable_may_stay_as_it_is():
         ({"covariance": np.eye(2)}, r"shape \(3, 3\)"),
         ({"mean": [np.nan, 0.0, 0.0]}, "finite"),
         ({"mean": 10**400}, "numbers of shape"),
-        ({"variables": ("speed", "path", "path")}, "each once"),
-        ({"variables": ("attack", "path", "face")}, "the speed among them"),
+        ({"variables": ("speed", "path", "path")}, "without repetitions"),
+        ({"variables": ("attack", "path", "face")}, "a list that includes speed"),
         ({"mishit_share": 1.0}, "from 0 to below 1"),
         ({"mishit_share": "a"}, "from 0 to below 1"),
         ({"mishit_scale": 0.5}, "from 1 to 20"),
@@ -112,7 +112,7 @@ def test_a_variable_may_stay_as_it_is():
         ({"hand": "left"}, "left-handed"),
         ({"title": "a\x1b[31m"}, "one line"),
         ({"club": 3}, "text"),
-        ({"sources": 3}, "texts"),
+        ({"sources": 3}, "mapping of figures"),
     ],
 )
 def test_an_invalid_distribution_is_refused(changes, message):
@@ -198,7 +198,7 @@ value = 0.4
         ('face = "2 deg"', 'face = "2 deg"\n[[correlation]]\nof = ["face", "speed"]\nvalue = 1.4', 10, "-1 and 1"),
         ('face = "2 deg"', f'face = "2 deg"\n{PAIR}{PAIR}', 12, "already"),
         ('face = "2 deg"', f'face = "2 deg"\n{PAIR.replace("speed", "loft")}', 9, "loft does not vary"),
-        ('face = "2 deg"', 'face = "1e200 deg"', None, "shots can have"),
+        ('face = "2 deg"', 'face = "1e200 deg"', None, "plausible value"),
         ('title = "x"', 'title = "a\\u001b[31m"', 1, "one line"),
         ('face = "2 deg"', 'face = "2 deg"\n[sources]\nspred.face = "me"', None, "spread"),
     ],

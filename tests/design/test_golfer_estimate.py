@@ -199,7 +199,7 @@ NOISE = np.random.default_rng(1).standard_normal(50)
         ({"speed": 45.0 + RAMP, "path": RAMP}, "follows from others"),
         ({"speed": 45.0 + ZIGZAG, "face": -ZIGZAG}, "follows from others"),
         ({"speed": 45.0 + NOISE, "path": np.where(np.arange(50) == 20, 0.02, 0.0)}, "hardly ever changes"),
-        ({"speed": np.full(50, 45.0), "face": 0.02 * NOISE}, "all of one club speed"),
+        ({"speed": np.full(50, 45.0), "face": 0.02 * NOISE}, "all with the same club speed"),
         ({"speed": np.array([45.0]), "face": np.array([0.02])}, "1 with all of speed, face"),
     ],
 )

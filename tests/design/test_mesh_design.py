@@ -296,7 +296,7 @@ def test_thickness_that_cards_fix_for_each_element_may_not_vary(tmp_path):
     file = tmp_path / "walls.k"
     file.write_text("\n".join(lines) + "\n")
     groups = (Group(name="face", face=True), *own_head(tmp_path).groups[1:])
-    with pytest.raises(InputError, match=r"thickness.face is fixed element by element; give the group .* 2\.001 mm to"):
+    with pytest.raises(InputError, match=r"thickness.face is set element by element; give the group .* 2\.001 mm to"):
         study(own_head(tmp_path, file=file, groups=groups))
     # Others may still vary.
     study(own_head(tmp_path, file=file, groups=groups), bounds={"thickness.crown": (0.7e-3, 1.6e-3)})
@@ -357,9 +357,9 @@ def test_a_file_of_a_mesh_is_read(tmp_path):
         ("face = [", "fase = [", 5, "unknown group to vary 'fase' .did you mean face"),
         ("weight = [", "waight = [", 7, "unknown mass to vary 'waight' .did you mean weight"),
         ('masses]\nweight = ["0 g", "12 g"]', 'shape]\nwidth = ["90 mm", "120 mm"]', 6, "unknown table of what varies"),
-        ('["2.2 mm", "3.6 mm"]', '["3.2 mm", "3.6 mm"]', 5, "bounds that hold what the head has"),
-        ('["2.2 mm", "3.6 mm"]', '["0.1 mm", "3.6 mm"]', 5, "bounds at which there is a head"),
-        ('["0 g", "12 g"]', '["7 g", "12 g"]', 7, "bounds that hold what the head has"),
+        ('["2.2 mm", "3.6 mm"]', '["3.2 mm", "3.6 mm"]', 5, "bounds that include"),
+        ('["2.2 mm", "3.6 mm"]', '["0.1 mm", "3.6 mm"]', 5, "the head can be made"),
+        ('["0 g", "12 g"]', '["7 g", "12 g"]', 7, "bounds that include"),
         ('groups = ["face"]', 'groups = ["fase"]', 13, "unknown groups of titanium 'fase'"),
         ('groups = ["sole"]', 'groups = ["sole", "face"]', 13, "face would have two lists of metals"),
         ('groups = ["face"]', "groups = []", 13, "a list of groups of the mesh"),
@@ -395,7 +395,7 @@ def test_groups_of_metals_are_for_meshes(tmp_path):
         FILE.replace("./own.toml", "paper").replace("face = [", "face_centre = [").replace("2.2 mm", "1.2 mm")
         .replace('[variables.masses]\nweight = ["0 g", "12 g"]\n', "")
     )  # fmt: skip
-    with pytest.raises(FileError, match="this head is of one metal"):
+    with pytest.raises(FileError, match="this head has one metal"):
         shells.improve(tmp_path / "study.toml")
 
 

@@ -249,7 +249,7 @@ def test_a_limit_of_the_shots_is_kept_and_reached():
         ({"characteristic_time": '["300 us", "400 us"]'}, "", "", "time of the face is 300 us .* at most 257 us"),
         (
             {"characteristic_time": '["1 s", "2 s"]'}, "", "[rules]\nconform = false",
-            "variables is without result; it must be bounds within which",
+            "a club within .variables. is impossible to compute; give other bounds",
         ),
     ],
 )  # fmt: skip

@@ -92,7 +92,7 @@ def test_a_design_that_fails_is_refused_and_the_region_shrinks():
 
 
 def test_a_failing_start_is_reported():
-    with pytest.raises(RunError, match="the design to start from fails"):
+    with pytest.raises(RunError, match="the starting design fails"):
         search(walls(), lambda places: [dict.fromkeys(("mass", "strength"), math.nan)], np.array([0.5, 0.5]), LIGHTEST)
 
 

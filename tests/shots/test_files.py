@@ -395,7 +395,7 @@ def test_the_preferred_of_two_columns_for_a_quantity_is_taken(write):
     [
         (b"", "the file is empty"),
         (b"\n\n", "the file is empty"),
-        (b"a,b\n1,2\n", "the layout is none of trackman, foresight.*there are: a, b"),
+        (b"a,b\n1,2\n", "the layout is not one of trackman, foresight.*there are: a, b"),
         (b"\x1b[31ma,b\n1,2\n", r"there are: \?\[31ma, b"),
         (
             b"Side Angle,Tilt Angle,Ball Speed\n,[deg],[furlongs]\n1,2,3\n",

@@ -98,7 +98,7 @@ def test_a_condition_on_the_player_chooses_his_shots(clubface_, range_session, t
     assert len(lines) == 5
     assert "player" in lines[0].split(",")
     ran = clubface_("monitor", "summary", str(DATA / "foresight-play.csv"), "--where", "player == 'x'")
-    assert "foresight-play.csv do not say the player" in ran.err
+    assert "foresight-play.csv have no player" in ran.err
 
 
 def test_the_drives_of_two_players_are_no_club_of_one(clubface_, range_session, tmp_path):

@@ -67,7 +67,7 @@ def test_a_table_of_clubface_is_read_with_the_same_care(tmp_path):
     assert np.isnan([shots.launches[name][0] for name in ("smash", "backspin", "sidespin")]).all()
     assert {"example": {"backspin": 0.0}, "wrong": 1, "shots": 2} in noted(shots, "impossible-values")
     path.write_text("ball_speed_mph\n-999\n")
-    with pytest.raises(FileError, match="not one shot can be used: line 2: nothing was measured that a shot can have"):
+    with pytest.raises(FileError, match="no shot can be used: line 2: nothing was measured that a shot can have"):
         read_shots(path)
 
 

@@ -214,9 +214,7 @@ def test_a_damaged_record_is_reported(tmp_path):
     studies.run(path, workers=1)
     record = tmp_path / "squares.store" / "record.json"
     record.write_text(record.read_text().replace('"count": 200', '"count": 300'))
-    with pytest.raises(
-        FileError, match="this record of a study is damaged; remove it: clubface study run makes it anew"
-    ):
+    with pytest.raises(FileError, match="this study record is damaged; remove it: clubface study run"):
         studies.run(path, workers=1)
     record.unlink()
     assert studies.run(path, workers=1).computed == 0

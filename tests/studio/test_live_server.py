@@ -217,7 +217,7 @@ def test_a_device_that_has_not_connected_yet_is_shown_as_awaited(tmp_path):
                 return next(each["problem"] for each in tab.states[-1]["links"] if each["protocol"] == "flight-relay")
 
             wait_until(lambda: tab.states)
-            assert problem() == f"{address} is not there yet, and is tried again and again"
+            assert problem() == f"{address} is not there yet; trying again"
             threading.Thread(target=device.serve_forever, daemon=True).start()
             wait_until(lambda: problem() == "")
         device.shutdown()

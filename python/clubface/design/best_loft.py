@@ -159,7 +159,7 @@ def best_loft(
         raise InputError("speed and attack", Wording("empty"), "at least one of each")
     for name in ("loft", "speed", "attack"):
         if name in delivery:
-            raise InputError(name, delivery[name], "left out: it is not among the further values of the delivery")
+            raise InputError(name, delivery[name], "leave it out of the other delivery values")
 
     enough = worth_of(worth)["carry"]
     setup = ImpactSetup(club_named(club), model, parameters, ball, air, wind, ground, accuracy=accuracy)

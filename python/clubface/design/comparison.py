@@ -377,7 +377,7 @@ def compare(
     if nodes is not None:
         nodes = check_count("nodes", nodes, 1, MOST_NODES)
         if not split:
-            raise InputError("nodes", nodes, "leave it out where nothing is split into contributions")
+            raise InputError("nodes", nodes, "leave it out unless differences are split into contributions")
     for name in alternatives:
         check_name(name)
     asked = {name: _alternative(each) for name, each in alternatives.items()}
@@ -493,7 +493,7 @@ def read_deliveries(
                 if not name.isprintable():
                     raise FileError(reader.path, line, f"the name {name!r} is not printable text")
                 if name in result:
-                    raise FileError(reader.path, line, f"a row is called {name!r} already; give each another name")
+                    raise FileError(reader.path, line, f"the name {name!r} is used twice; give each row its own name")
                 result[name] = {
                     key: float(to_si(numbers[row], column.unit)) for key, (column, numbers, _) in values.items()
                 }

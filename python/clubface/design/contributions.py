@@ -142,13 +142,13 @@ def _slopes_by_duals(line: Line, launch: Launch, shares: Sequence[float]) -> Ite
         first, last = (each["characteristic_time"] for each in (line.start, line.end))
         if first != last and 0.0 in (first, last):
             time = units.show(max(first, last), "us")
-            faces = (f"gives ({time})", "is taken as rigid")
+            faces = (f"gives ({time})", "is assumed rigid")
             of_first, of_last = faces if first else faces[::-1]
             raise RunError(
-                f"the face of the first {of_first}, that of {launch.club.name} {of_last}; state the"
+                f"the face of the first club {of_first}, the face of {launch.club.name} {of_last}; give the"
                 " characteristic_time of both in their files"
             )
-        raise RunError(f"{launch.model} has no launch between the two: {problems[0][2]}")
+        raise RunError(f"{launch.model} gives no launch between the two shots: {problems[0][2]}")
     table = result.reshape(len(rows), 1 + len(by_duals), len(shots))
     by_names = np.zeros((len(rows), len(line.names), len(shots)))
     for place, name in enumerate(line.names):

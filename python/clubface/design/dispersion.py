@@ -214,7 +214,7 @@ class ImpactSetup(NamedTuple):
             if error.parameter not in golfer.variables:
                 raise
             # On its own the name would look like an option, such as the lie from which a shot is played.
-            raise InputError("golfer", golfer.name, f"one whose mean shot has a result: {error}") from None
+            raise InputError("golfer", golfer.name, f"one whose mean shot can be computed: {error}") from None
         return launch, {name: float(value) for name, value in _values(launch, flight).items()}
 
     def __call__(
@@ -382,7 +382,7 @@ class Dispersion(Described):
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse that contains a share of the landings."""
         if not self.points.size:
-            raise InputError("share", share, "requested for shots that fly and land")
+            raise InputError("share", share, "used only if the balls fly")
         return self.tally.ellipse(share)
 
 
@@ -441,7 +441,7 @@ def dispersion(
         raise InputError("hole", hole, 'a Hole, as in Hole(length="430 yd")')
     for name, value in (("hole", hole), ("air", air), ("wind", wind), ("ground", ground)):
         if not flight and value is not None and not (isinstance(value, Mapping) and not value):
-            raise InputError(name, Wording("given"), "left out where the balls do not fly")
+            raise InputError(name, Wording("given"), "left out if the balls do not fly")
     setup = ImpactSetup(club_used, model, parameters, ball, air, wind, ground, flight, threads, accuracy)
     launch, mean_shot = setup.mean(player)
     tally = ShotTally({**LAUNCHED, **(FLOWN if flight else {})}, mean_shot, threads)
@@ -468,7 +468,7 @@ def dispersion(
         if progress is not None:
             progress(start + some, count)
     if tally.counted == 0:
-        raise InputError("golfer", player.name, f"one whose shots have a result: {next(iter(reasons.values()))}")
+        raise InputError("golfer", player.name, f"one whose shots can be computed: {next(iter(reasons.values()))}")
     if remark := outside.remark():
         warn_once(remark, RangeWarning)
     return Dispersion(

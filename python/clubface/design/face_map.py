@@ -344,7 +344,7 @@ def map_face(
         surface = ComputedFace(settled, outline, toe, high, table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
-        raise RunError("no point of the face has a shot")
+        raise RunError("no impact point on the face gives a shot")
     return FaceMap(toe, high, table, outline, surface, centre, {"air": air, "wind": wind, "ground": ground})
 
 
@@ -362,21 +362,19 @@ def _points(outline: Outline, grid: Any, points: Any, *, long: bool) -> tuple[Fl
         if grid is not None:
             raise InputError("grid", grid, "leave out either points or grid")
         if not isinstance(points, (tuple, list)) or len(points) != 2:
-            raise InputError("points", points, "the places towards the toe and upwards")
+            raise InputError("points", points, "coordinates towards the toe and upwards")
         toe, high = (np.atleast_1d(units.parse_values(each, "length", name="points")) for each in points)
         for each in (toe, high):
             rising = each.ndim == 1 and np.isfinite(each).all() and (np.diff(each) > 0.0).all()
             if not rising or not 1 <= each.size <= MOST:
-                raise InputError("points", each, f"1 to {MOST} places one after the other, each rising")
+                raise InputError("points", each, f"1 to {MOST} increasing numbers")
         counts = (len(toe), len(high))
     else:
         counts = checked_grid((COARSE if long else GRID) if grid is None else grid)
         ends = zip(outline.least.tolist(), outline.greatest.tolist(), counts, strict=True)
         toe, high = (np.linspace(least, greatest, count) for least, greatest, count in ends)
     if long and counts[0] * counts[1] > MOST_LONG:
-        raise InputError(
-            "grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a model that takes long"
-        )
+        raise InputError("grid", f"{counts[0]} by {counts[1]}", f"at most {MOST_LONG} points for a slow model")
     return toe, high
 
 
@@ -396,10 +394,10 @@ class FaceMapDifference(_Mapped):
     def __init__(self, first: FaceMap, second: FaceMap) -> None:
         for name, each in (("first", first), ("second", second)):
             if not isinstance(each, FaceMap):
-                raise InputError(name, each, "a map, as of clubface.map_face")
+                raise InputError(name, each, "a map from clubface.map_face")
         if not (np.array_equal(first.toe, second.toe) and np.array_equal(first.high, second.high)):
             allowed = "a map of the points of the first: points=(first.toe, first.high)"
-            raise InputError("second", Wording("maps of other points"), allowed)
+            raise InputError("second", Wording("a map of other points"), allowed)
         self.first, self.second = first, second
         self.toe, self.high, self.outline = first.toe, first.high, first.outline
 

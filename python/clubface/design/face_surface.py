@@ -252,7 +252,7 @@ class Surface:
             toe.tolist(), high.tolist(), table[quantity], lambda across, up: self.at(across, up)[quantity]
         )
         if best is None:
-            raise RunError("no point of the face has a shot")
+            raise RunError("no impact point on the face gives a shot")
         return best
 
     def area(self, quantity: int, least: float) -> float:
@@ -295,7 +295,7 @@ class Interpolated(Surface):
             self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
         except (ValueError, np.linalg.LinAlgError):
             raise RunError(
-                f"{known.sum()} points of the face with a shot are too few for a map; give a finer grid"
+                f"only {known.sum()} points on the face give a shot, too few for a map; give a finer grid"
             ) from None
         count = core.face_fine()
         ends = zip(outline.least, outline.greatest, strict=True)

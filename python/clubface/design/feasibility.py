@@ -21,7 +21,7 @@ import numpy as np
 
 from clubface import _core as core, units
 from clubface.equipment.clubs import Club
-from clubface.errors import InputError
+from clubface.errors import InputError, Wording
 from clubface.quantities import Quantity, Reading
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
@@ -172,7 +172,7 @@ def room_inside(places: Floats, volume: Volume) -> Volume:
     size = float((high - low).max())
     if (high - low).min() < 1e-3:
         middle = ", ".join(f'"{units.fixed(float(each), "mm", 0)}"' for each in 0.5 * (places.min(0) + places.max(0)))
-        raise InputError("head.centre", None, f"where the mesh of the club is, such as [{middle}]")
+        raise InputError("head.centre", Wording("outside the mesh of the club"), f"inside it, such as [{middle}]")
 
     def left(numbers: Floats) -> Floats:
         """Return the room left in each direction, relative to the size."""

@@ -154,14 +154,14 @@ class Golfer:
         if self.hand not in (-1, 1):
             raise InputError("hand", self.hand, "1 for a right-handed golfer or -1 for a left-handed one")
         if not isinstance(self.variables, (tuple, list)):
-            raise InputError("variables", self.variables, "names of values of a delivery")
+            raise InputError("variables", self.variables, "names of delivery values")
         variables = tuple(self.variables)
         for place, variable in enumerate(variables):
             check_choice("variable of a golfer", variable, OF_CLUB)
             if variable in variables[:place]:
-                raise InputError("variables", variables, "each once")
+                raise InputError("variables", variables, "a list without repetitions")
         if "speed" not in variables:
-            raise InputError("variables", variables, "the speed among them")
+            raise InputError("variables", variables, "a list that includes speed")
         object.__setattr__(self, "variables", variables)
         object.__setattr__(self, "mean", _array("mean", self.mean, (len(variables),)))
         if (speed := float(self.mean[variables.index("speed")])) <= 0.0:
@@ -178,7 +178,7 @@ class Golfer:
                 error.args[0], Wording("the matrix given"), error.args[1].removeprefix("must be ")
             ) from None
         if not isinstance(self.sources, Mapping):
-            raise InputError("sources", self.sources, "a mapping of figures to texts")
+            raise InputError("sources", self.sources, "a mapping of figures to text")
         object.__setattr__(self, "sources", Frozen(self.sources))
 
     @property
@@ -263,7 +263,7 @@ class Golfer:
         if given.ndim != 2 or given.shape[1] != self.dimensions:
             raise InputError("uniform", given.shape, f"of shape (n, {self.dimensions})")
         if not ((given > 0.0) & (given < 1.0)).all():
-            raise InputError("uniform", Wording("numbers beyond them"), "between 0 and 1")
+            raise InputError("uniform", Wording("not between 0 and 1"), "numbers between 0 and 1")
         values = self._deliveries([np.ascontiguousarray(column) for column in given.T], thread_count(threads))
         return dict(zip(self.variables, values, strict=True))
 
@@ -323,9 +323,7 @@ class DeliveryFigure(Value):
             raise place.invalid(given, "a standard deviation, which must not be negative")
         # A spread so wide that twice as much is impossible, such as 0.9 rad, was probably meant in another unit.
         if value and not can_be(self.name, 2.0 * value if self.is_spread else value):
-            raise place.invalid(
-                given, f"what shots can have, as text with its unit, such as {UNIT[OF_CLUB[self.name]]}"
-            )
+            raise place.invalid(given, f"a plausible value, as text with its unit, such as {UNIT[OF_CLUB[self.name]]}")
         return value
 
     def write(self, value: float) -> str:
@@ -346,7 +344,7 @@ class Mishit:
     """Share and size of mishits."""
 
     share: float = file_key(PhysicalValue("1", lower=0, below=1), "share of the shots that are mishits")
-    scale: float = file_key(PhysicalValue("1", 1, WIDEST), "factor on their deviations")
+    scale: float = file_key(PhysicalValue("1", 1, WIDEST), "factor on the deviations of mishits")
 
 
 TEXTS = Record(dict.fromkeys(OF_CLUB, TEXT))
@@ -389,7 +387,7 @@ def from_document(document: Document, name: str) -> Golfer:
     with Place(document).errors():
         if "loft" in variables and "loft" not in file.mean:
             raise InputError(
-                "spread.loft", document.data["spread"]["loft"], "left out, or give the mean of loft as well"
+                "spread.loft", document.data["spread"]["loft"], "leave it out, or give the mean of loft as well"
             )
         correlation = _correlations(Place(document).key("correlation"), file.correlation, variables, spread)
         with np.errstate(over="ignore"):  # infinite values are refused below
@@ -416,9 +414,9 @@ def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[s
             one, other = (variables.index(name) for name in pair)
             if each.value and not spread[one] * spread[other]:
                 still = pair[0] if not spread[one] else pair[1]
-                raise at.invalid(list(pair), f"of variables with a spread: {still} does not vary")
+                raise at.invalid(list(pair), f"two variables with a spread; {still} does not vary")
             if frozenset(pair) in seen:
-                raise at.invalid(list(pair), "given once: these two have a correlation already")
+                raise at.invalid(list(pair), "given only once; this pair has a correlation already")
         seen.add(frozenset(pair))
         matrix[one, other] = matrix[other, one] = each.value
     return matrix
@@ -481,9 +479,7 @@ def club_of(player: Golfer) -> str:
     """Return a golfer's club, a built-in name or a file's path; raise an error if only the owner's name is known."""
     if player.club in CLUB_NAMES or is_path(player.club):
         return player.club
-    raise InputError(
-        "club", None, f"give the file of {player.club!r}, with which the deliveries of {player.name} were made"
-    )
+    raise InputError("club", None, f"give the file of {player.club!r}, the club that {player.name} delivers")
 
 
 def own_club(player: Golfer) -> Club:

@@ -370,8 +370,8 @@ def _complete_shots(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[st
         raise InputError(
             "session",
             Wording("without club speed"),
-            "one whose club speed was measured, since a golfer is how the club is delivered (clubface golfer list has"
-            f" golfers to take instead){why}",
+            "one with measured club speed, since a golfer describes how the club is delivered (clubface golfer list"
+            f" shows ready-made golfers){why}",
         )
     values = np.stack([given[name] for name in names], axis=1)
     values = values[np.isfinite(values).all(axis=1)]
@@ -385,7 +385,7 @@ def _complete_shots(shots: ReadyShots) -> tuple[tuple[str, ...], Floats, dict[st
             f"at least {FEWEST} such shots: with fewer, a spread is not known even to a factor of two",
         )
     if "speed" in same:
-        raise InputError("shots", Wording("all of one club speed"), "shots whose club speed was measured")
+        raise InputError("shots", Wording("all with the same club speed"), "shots whose club speed was measured")
     return tuple(name for name in names if name not in same), values[:, varies], same
 
 

@@ -230,7 +230,7 @@ def steady_golfer(club: str = "driver", **delivery: float | str) -> Golfer:
 
     for name in ("speed", "loft"):
         if delivery.get(name) is None:
-            raise InputError(name, None, f"given, as in {name}={'91 mph' if name == 'speed' else '15.5 deg'!r}")
+            raise InputError(name, None, f"give it, as in {name}={'91 mph' if name == 'speed' else '15.5 deg'!r}")
     values = {name: units.parse(value, DIMENSIONS[name], name=name) for name, value in delivery.items()}
     words = [f"{name} {units.show(value, 'mph' if name == 'speed' else 'deg', 3)}" for name, value in values.items()]
     return Golfer(

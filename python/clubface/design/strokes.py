@@ -40,13 +40,13 @@ WIDTH = PhysicalValue("m", 0, LONGEST)
 class Hole:
     """A straight, level hole; values are text with a unit or SI numbers."""
 
-    length: float = file_key(PhysicalValue("m", above=0, upper=LONGEST), "from the tee to the hole")
+    length: float = file_key(PhysicalValue("m", above=0, upper=LONGEST), "distance from the tee to the hole")
     fairway: float = file_key(WIDTH, "width of the fairway", default=FAIRWAY_WIDTH)
     rough: float = file_key(
         WIDTH, "width of the rough on either side; a ball beyond it is a recovery shot", default=ROUGH_WIDTH
     )
     green: float = file_key(WIDTH, "radius of the green about the hole", default=GREEN_RADIUS)
-    lie: str = file_key(Choice(LIES), "what the shot is played from", default="tee")
+    lie: str = file_key(Choice(LIES), "lie of the shot", default="tee")
 
     def __post_init__(self) -> None:
         check_values(self)
@@ -111,7 +111,7 @@ def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:
     places = [np.asarray(units.parse_values(each, "length", name=name)) for name, each in given.items()]
     if places[0].shape != places[1].shape:
         shapes = Wording(" and ".join(f"of shape {each.shape}" for each in places))
-        raise InputError("ahead and right", shapes, "of one shape")
+        raise InputError("ahead and right", shapes, "of the same shape")
     return places[0], places[1]
 
 

@@ -203,11 +203,11 @@ def indices(
         For Shapley effects: called with the number of orders of the variables done and the total.
     """
     if not setup.flight and (flown := [name for name in outcomes if name not in LAUNCHED]):
-        raise InputError("outcomes", flown[0], "of a launch, where the balls do not fly")
+        raise InputError("outcomes", flown[0], "a launch quantity, since the balls do not fly")
     check_names("outcome", outcomes, (*LAUNCHED, *FLOWN))
     varies = golfer.spread > 0.0
     if not varies.any():
-        raise InputError("golfer", golfer.name, "one whose deliveries vary: nothing spreads the shots")
+        raise InputError("golfer", golfer.name, "one whose deliveries vary")
     names = tuple(name for name, does in zip(golfer.variables, varies, strict=True) if does)
     means = zip(golfer.variables, golfer.mean, strict=True)
     held = {name: np.asarray(mean) for name, mean in means if name not in names}

@@ -113,7 +113,7 @@ def matching_shots(shots: RecordedShots, condition: str) -> tuple[RecordedShots,
     """Return the shots that match a condition, with a note, and their places; raise an error if there are none."""
     mask, undecided = match_shots(shots, condition)
     if not mask.any():
-        remark = f"; {undecided} lack something on which it turns" if undecided else ""
+        remark = f"; {undecided} lack a measurement it needs" if undecided else ""
         raise InputError("where", condition, f"a condition that some of the {len(shots)} shots meet{remark}")
     notes = [note("condition-fulfilled", fulfil=int(mask.sum()), shots=len(shots), condition=condition)]
     if undecided:
@@ -209,7 +209,7 @@ class _Reader:
                 case ast.Div() if right.dimension in (None, left.dimension):
                     values = np.asarray(left.values) / np.asarray(right.values)
                     return _Number(values, left.dimension if right.dimension is None else None, shown)
-        raise self._error(f"{shown} cannot be combined so")
+        raise self._error(f"{shown} cannot be combined this way")
 
     def _common(self, left: _Number, right: _Number) -> str | None:
         """Return the common dimension of two numbers; 0 has any unit."""
@@ -247,7 +247,7 @@ class _Reader:
     def _same(self, how: ast.cmpop, first: _Text, second: _Text) -> _Truth:
         column, typed = (first, second) if first.same else (second, first)
         if column.same is None or typed.same is not None or not isinstance(how, (ast.Eq, ast.NotEq)):
-            raise self._error("a name is compared with a text in quotation marks, by == or !=")
+            raise self._error("compare a name with text in quotation marks, by == or !=")
         equal = {each: column.same(each, typed.values) for each in dict.fromkeys(column.values)}
         true = np.array([equal[each] for each in column.values], dtype=bool)
         return _Truth(true, (np.array(column.values, dtype=object) != "") & ~true)
@@ -259,7 +259,7 @@ class _Reader:
         if name in texts:
             column = texts[name]
             if column is None:
-                raise self._error(f"the shots of {self._shots.source} do not say the {name}")
+                raise self._error(f"the shots of {self._shots.source} have no {name}")
             return _Text([str(each) for each in column], same_club if name == CLUB else _alike)
         if name == ROW:
             return _Number(self._shots.rows.astype(float), None, name)

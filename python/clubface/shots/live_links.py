@@ -106,7 +106,7 @@ class LiveLinks:
         """The current state of the connections."""
         waits = isinstance(self._relay, FlightRelayClient) and not self._relay.is_connected
         return [
-            each._replace(problem=f"{each.address} is not there yet, and is tried again and again")
+            each._replace(problem=f"{each.address} is not there yet; trying again")
             if waits and each.protocol == "flight-relay" and not each.problem
             else each
             for each in self._states
@@ -176,7 +176,7 @@ class LiveLinks:
     def _keep(self, message: Message, protocol: str) -> None:
         shot = self._shots.keep(message, protocol)
         if shot is None:
-            self.remark(f"{message.device} sent shot {message.shot_number} again: it is there already")
+            self.remark(f"{message.device} sent shot {message.shot_number} again; it is stored already")
             return
         for each in self._simulators:
             each.put(shot)

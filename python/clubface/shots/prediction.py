@@ -205,7 +205,7 @@ def run(
             message = f"interrupted: {done} rows are done and kept in {folder}; the same command continues from there"
             raise KeyboardInterrupt(message) if done else KeyboardInterrupt from None
         if not done:
-            raise FileError(table.path, table.header_line, "there is no delivery below the names of the columns")
+            raise FileError(table.path, table.header_line, "there are no deliveries below the header")
         chunks = [store[name] for name in names]
         counts = {name: sum(chunk[name] for chunk in chunks) for name in COUNTS}
         shown = [tuple(each) for chunk in chunks for each in chunk["shown"]]
@@ -511,10 +511,10 @@ def _check_paths(source: Path, target: Path, rejects_path: Path) -> None:
     is_parquet(target)
     for path, what in ((target, "output"), (rejects_path, "rejects")):
         if same_file(path, source):
-            raise FileError(str(path), None, f"the {what} must be a file other than the one that is read")
+            raise FileError(str(path), None, f"the {what} must not be the file that is read")
         if not path.parent.is_dir():
             raise FileError(str(path), None, f"there is no folder {str(path.parent)!r}")
         if path.is_dir():
             raise FileError(str(path), None, f"the {what} is a folder; give the name of a file")
     if same_file(rejects_path, target):
-        raise FileError(str(rejects_path), None, "the rejects must go to a file other than the output")
+        raise FileError(str(rejects_path), None, "the rejects must go to a different file from the output")

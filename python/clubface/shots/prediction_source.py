@@ -176,7 +176,7 @@ def _ready_fields(path: str, columns: ColumnLayout, recorded: RecordedShots, rea
     """Return the fields of a source for prepared shots."""
     deliveries = _measured(ready)
     if "speed" not in deliveries:
-        raise FileError(path, None, "the clubhead speed was measured for no shot", "speed")
+        raise FileError(path, None, "no shot has a measured club speed", "speed")
     headings = {each.quantity: each.heading for each in columns.used}
     return {
         "used": tuple(FileColumn(-1, headings.get(name, name), name, inputs()[name].unit) for name in deliveries),

@@ -67,7 +67,7 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
     counts = {name: _known_headings(each, widest) for name, each in FORMATS.items()}
     alike = [name for name, count in counts.items() if count == max(counts.values()) >= FEWEST_KNOWN]
     advice = f", or the format whose columns they are, perhaps {' or '.join(alike)}" if alike else ""
-    raise FileError(path, line, f"the layout is none of {', '.join(FORMATS)}; {listed([*map(str.strip, widest)])}. "
+    raise FileError(path, line, f"the layout is not one of {', '.join(FORMATS)}; {listed([*map(str.strip, widest)])}. "
                                 f"Name the columns in a mapping file{advice}")  # fmt: skip
 
 
@@ -255,7 +255,7 @@ def is_plain_table(path: str | os.PathLike[str]) -> bool:
 def _refuse_no_table(path: Path) -> None:
     """Raise an error with advice for a file of another kind."""
     if path.suffix.lower() == ".c3d":
-        raise FileError(str(path), None, "this is motion capture; clubface capture read makes a table of it")
+        raise FileError(str(path), None, "this is motion capture; make a table of it with clubface capture read")
 
 
 def _session(
@@ -361,7 +361,7 @@ def refuse_empty(path: str, shots: int, rejected: tuple[RejectedRow, ...]) -> No
         unit_of = "row" if path.lower().endswith(PARQUET) else "line"
         reasons = "; ".join(f"{unit_of} {each.line}: {each.reason}" for each in rejected[:SHOWN])
         more = f" (and {len(rejected) - SHOWN} more)" if len(rejected) > SHOWN else ""
-        raise FileError(path, None, f"not one shot can be used: {reasons}{more}" if rejected else "there are no shots")
+        raise FileError(path, None, f"no shot can be used: {reasons}{more}" if rejected else "there are no shots")
 
 
 def _notes(session: Session, layout: Format, measured: set[str], shots: int, of_file: Sequence[Note]) -> Iterator[Note]:

@@ -227,7 +227,7 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
     """
     drawn = [each for each in clubs if "carry" in each.spreads]
     if not drawn:
-        raise InputError("picture", Wording("of carries"), "leave it out: the file has no carry")
+        raise InputError("picture", Wording("impossible"), "leave it out: the file has no carry")
     landings: list[Mark] = [Mark("rule", x=0.0, style=-1)]
     carries: list[Mark] = []
     for place, each in enumerate(drawn):

@@ -123,10 +123,10 @@ def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
     if not ("from" in given and "to" in given) or ("count" in given and "step" in given):
         raise InputError(name, dict(given), f"given as {FORMS}")
     if FLAT in (given["from"], given["to"]):
-        raise InputError(name, dict(given), f'finite from end to end; "{FLAT}" is for a list')
+        raise InputError(name, dict(given), f'an interval with finite ends; "{FLAT}" is for a list')
     ends = [_check_whole(name, number(name, given[key], swept.unit), swept) for key in ("from", "to")]
     if not math.isfinite(ends[1] - ends[0]):
-        raise InputError(name, dict(given), "finite from end to end")
+        raise InputError(name, dict(given), "an interval with finite ends")
     made = SweepAxis(name=name, unit=swept.unit, ends=(ends[0], ends[1]), whole=swept.limits is not None)
     if "count" in given:
         if not is_count(given["count"], 1, MOST):
@@ -137,7 +137,7 @@ def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
     if "step" in given:
         return _spaced(made, given, _steps(name, given, swept.unit) + 1, swept)
     if not ends[1] > ends[0]:
-        raise InputError(name, dict(given), "an interval whose end is above its beginning")
+        raise InputError(name, dict(given), "an interval that ends above its start")
     return made
 
 
@@ -179,7 +179,7 @@ def _spaced(made: SweepAxis, given: Mapping[str, Any], count: int, swept: Swept)
     alike = _written(made.name, given, swept.unit or "1", "from", "to")
     if alike is None:
         if swept.limits is not None:
-            raise InputError(made.name, dict(given), "in one unit, since they count something")
+            raise InputError(made.name, dict(given), "given in one unit, since it is a count")
         return made
     (first, last), unit = alike
     step = (last - first) / max(count - 1, 1)
@@ -204,7 +204,7 @@ def _list(name: str, given: Sequence[Any], swept: Swept) -> SweepAxis:
         if swept.choices:
             check_choice(name, each, swept.choices)
     if len(set(given)) < len(given):
-        raise InputError(name, given, "a list in which every name stands once")
+        raise InputError(name, given, "a list without repeated names")
     return SweepAxis(name=name, unit=None, choices=tuple(given), count=len(given))
 
 

@@ -220,7 +220,7 @@ def table_columns(
     finally:
         reader.close()
     if not any(map(len, parts.values())):
-        raise FileError(str(path), reader.header_line, "there is no row below the names of the columns")
+        raise FileError(str(path), reader.header_line, "there are no rows below the header")
     return {
         name: (units.SI_UNITS[units.unit(known[name].unit or "1").dimension], np.concatenate(each))
         for name, each in parts.items()

@@ -43,7 +43,7 @@ PARTS_PER_FOLDER = 1000
 METADATA, CHECKSUM = b"clubface", b"clubface-sum"
 HOLE = b"the sum of the file as it is with this text in the place of it".ljust(64, b".")
 DAMAGED_RECORD = (
-    "this record of a study is damaged; remove it: clubface study run makes it anew, and keeps the parts that fit"
+    "this study record is damaged; remove it: clubface study run makes a new one, and keeps the parts that fit"
 )
 FOREIGN = "this part belongs to another study"
 REMEDY = "give another folder with --store, or remove this one"

@@ -2,11 +2,15 @@
 
 ::
 
-    [study] name = "driver-loft" kind = "impact"                # unless given design = "grid"                # grid
-    (unless given), latin-hypercube, sobol or table samples = 4096                 # of a Latin hypercube or a Sobol
-    sequence seed = 1                       # of the same chunk = 5000                   # tasks computed and stored
-    together; or seconds = 2                    # time per chunk, from which its size follows units = { speed = "mph" }
-    # of table columns without a unit, by input or dimension
+    [study]
+    name = "driver-loft"
+    kind = "impact"                # the default
+    design = "grid"                # grid (the default), latin-hypercube, sobol or table
+    samples = 4096                 # for a Latin hypercube or a Sobol sequence
+    seed = 1                       # for the same
+    chunk = 5000                   # tasks computed and stored together; or
+    seconds = 2                    # time per chunk, from which its size follows
+    units = { speed = "mph" }      # of table columns without a unit, by input or dimension
 
     [impact]                       # the table of the kind
     club = "driver"
@@ -15,7 +19,7 @@
     [sweep]
     loft = { from = "8 deg", to = "14 deg", count = 13 }
     toe = ["-10 mm", "0 mm", "10 mm"]
-    table = "deliveries.csv"       # of the design "table"
+    table = "deliveries.csv"       # for the design "table"
 """
 
 from __future__ import annotations
@@ -203,19 +207,19 @@ def read_study(path: str | os.PathLike[str], inputs: InputRecord | None = None) 
 class StudyTable:
     """The table [study]: how tasks are chosen and divided into chunks."""
 
-    name: str | None = file_key(NAME, "its name; default: the name of the file", default=None)
+    name: str | None = file_key(NAME, "name; default: the name of the file", default=None)
     kind: str = file_key(Choice(tuple(KINDS)), "what is computed", default="impact")
     design: str = file_key(Choice(tuple(DESIGNS)), "how the tasks are chosen", default=GRID)
     samples: Any = file_key(
         Simple("a whole number"),
-        "of a Latin hypercube (McKay et al. 1979; a million at most) or a Sobol sequence",
+        "number of samples of a Latin hypercube (McKay et al. 1979; a million at most) or a Sobol sequence",
         default=None,
     )
-    seed: int | None = file_key(count(0, MOST_SEED), "of the same", default=None)
-    chunk: int | None = file_key(count(1, MOST_ROWS), "tasks of a chunk", default=None)
+    seed: int | None = file_key(count(0, MOST_SEED), "seed of the samples", default=None)
+    chunk: int | None = file_key(count(1, MOST_ROWS), "tasks per chunk", default=None)
     seconds: float | None = file_key(
         PhysicalValue("s", 0.01, 600, allowed="from 0.01 to 600 s; 1 to 10 s are usual"),
-        "instead: the time that a chunk should take on one processor; default 2 s",
+        "instead: time per chunk on one processor; default 2 s",
         default=None,
     )
     units: Mapping[str, str] = file_key(
@@ -294,7 +298,7 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
             line = document.line_of((kind.name, *place.split(".")))
             where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'}"
             raise InputError(
-                name, Wording(f"held and swept, {where} and in [sweep]"), "given in one of both places alone"
+                name, Wording(f"held and swept, {where} and in [sweep]"), "given in only one of the two places"
             )
 
 

@@ -228,7 +228,7 @@ BAD_FILES = [
     (b"\n\r\n\n", 1, "empty"),
     (b"a,b\n1,2\n", 1, "no column for the clubhead speed"),
     (b"113,-1.3\n110,2\n", 1, "there are: 113, -1.3"),
-    (b"\n\nclub_speed_mph\n", 3, "no delivery"),
+    (b"\n\nclub_speed_mph\n", 3, "no deliveries"),
     (b"club_speed_mm\n1\n", 1, "is 'mm'; it must be in m/s"),
     (b"club_speed [knots]\n1\n", 1, "is 'knots'; it must be in m/s"),
     (b"speed,club_speed_mph\n1,2\n", 1, "both give the speed"),
@@ -252,12 +252,12 @@ def test_a_file_that_is_no_table_of_deliveries_is_refused_with_the_line(write, t
 
 def test_paths_that_cannot_be_are_refused(write, tmp_path):
     path = write(GOOD)
-    for output, words in ((path, "a file other than the one that is read"), (tmp_path / "no" / "out.csv", "no folder"),
+    for output, words in ((path, "must not be the file that is read"), (tmp_path / "no" / "out.csv", "no folder"),
                          (tmp_path / "out.xlsx", "must end in"), (tmp_path / "dir.csv", "is a folder")):  # fmt: skip
         (tmp_path / "dir.csv").mkdir(exist_ok=True)
         with pytest.raises(FileError, match=words):
             predict(path, club="driver", output=output)
-    with pytest.raises(FileError, match="a file other than the output"):
+    with pytest.raises(FileError, match="a different file from the output"):
         predict(path, club="driver", output=tmp_path / "out.csv", rejects=tmp_path / "out.csv")
     with pytest.raises(FileError, match="No such file"):
         predict(tmp_path / "none.csv", club="driver")

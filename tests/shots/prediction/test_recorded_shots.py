@@ -178,5 +178,5 @@ def test_a_monitors_file_becomes_parquet_with_what_was_measured(tmp_path):
 
 
 def test_a_file_without_club_speeds_says_so(write):
-    with pytest.raises(FileError, match="speed was measured for no shot"):
+    with pytest.raises(FileError, match="no shot has a measured club speed"):
         predict(write("club,club_speed_mph,loft_deg\nDriver,,12\n"), club="driver")

@@ -358,7 +358,9 @@ def _judge_club(
 def _no_shot_error(head: Club, setting: str) -> InputError:
     setting_words = f" with the setting {setting}" if setting else ""
     return InputError(
-        "fit", Wording(f"without result for {head.name}{setting_words}"), "one whose shots can all be computed"
+        "fit",
+        Wording(f"impossible for {head.name}{setting_words}: a shot cannot be computed"),
+        "give other settings or bounds",
     )
 
 

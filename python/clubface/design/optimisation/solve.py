@@ -347,9 +347,7 @@ def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
     """Return the error that no start reached a club within all limits, naming the nearest club's worst violation."""
     known = [each for each in solutions if np.isfinite(each.cost)]
     if not known:
-        return InputError(
-            "variables", Wording("without result"), "bounds within which the golfers' shots can be computed"
-        )
+        return InputError("a club within [variables]", Wording("impossible to compute"), "give other bounds")
     nearest = max(known, key=lambda each: each.least_margin)
     state = problem.values(nearest.point)
     worst = min(problem.limits, key=lambda each: float(each.margins(state).min()))
@@ -357,7 +355,7 @@ def refused(problem: Problem, solutions: Sequence[Solution]) -> InputError:
     return InputError(
         worst.name,
         Wording(f"{value} in the nearest club"),
-        f"{allowed}, and no start reached a club that keeps all limits",
+        f"{allowed}, and no start reached a club within all limits",
     )
 
 

@@ -2,17 +2,23 @@
 
 A study::
 
-    title = "A driver for bogey golf" club = "driver" golfer = "bogey-driver" objective = "strokes"                # or
-    two of them, for the Pareto front
+    title = "A driver for bogey golf"
+    club = "driver"
+    golfer = "bogey-driver"
+    objective = "strokes"                # or two of them, for a Pareto front
 
     [hole]
     length = "400 yd"
 
-    [variables] loft = ["8 deg", "14 deg"] bulge = ["200 mm", "500 mm"] mass_distribution = "free"           # or bounds
-    of single mass properties
+    [variables]
+    loft = ["8 deg", "14 deg"]
+    bulge = ["200 mm", "500 mm"]
+    mass_distribution = "free"           # or bounds of single mass properties
 
-    [head]                               # where its mass may be, relative to the face centre size = ["115 mm", "62 mm",
-    "124 mm"] # face to back, sole to crown, heel to toe centre = ["-55 mm", "2 mm", "3 mm"] volume = "460 cm3"
+    [head]                               # where its mass may be, relative to the face centre
+    size = ["115 mm", "62 mm", "124 mm"] # face to back, sole to crown, heel to toe
+    centre = ["-55 mm", "2 mm", "3 mm"]
+    volume = "460 cm3"
     discretionary_mass = "30 g"
 
     [limits]
@@ -296,7 +302,7 @@ class DesignStudy(AdvisedStudy):
             limit = self._rule_limit(each.rule)
             if each.rule.name not in changing and each.value > limit * (1.0 + 1e-9):
                 problem = units.show(each.value, each.rule.unit, 4)
-                allowed = f"at most {units.show(limit, each.rule.unit, 4)} by the rules, and nothing changes it"
+                allowed = f"at most {units.show(limit, each.rule.unit, 4)} by the rules, and no variable changes it"
                 raise InputError(each.rule.title, problem, f"{allowed}; or give conform = false under [rules]")
 
 
@@ -343,12 +349,12 @@ _NAMES = "a list of names or files"
 class HeadTable:
     """Limits on the head, relative to the face centre."""
 
-    shape: str = file_key(Choice(SHAPES), "form of the room for mass", default="box")
+    shape: str = file_key(Choice(SHAPES), "shape of the space for mass", default="box")
     size: tuple[float, float, float] = file_key(VECTOR, "face to back, sole to crown, heel to toe")
-    centre: tuple[float, float, float] = file_key(VECTOR, "its middle: towards the target, up, towards the toe")
-    volume: float | None = file_key(PhysicalValue("cm3", above=0), "as the rules measure it", default=None)
+    centre: tuple[float, float, float] = file_key(VECTOR, "centre: towards the target, up, towards the toe")
+    volume: float | None = file_key(PhysicalValue("cm3", above=0), "volume as the rules measure it", default=None)
     discretionary_mass: float = file_key(
-        PhysicalValue("kg", above=0, below=1, allowed="between 0 and 1 kg"), "the most mass that may be placed freely"
+        PhysicalValue("kg", above=0, below=1, allowed="between 0 and 1 kg"), "maximum discretionary mass"
     )
     shell: Mapping[str, float] | None = file_key(
         Record({name: PhysicalValue(UNITS[name]) for name in MASS_PROPERTIES}, MASS_PROPERTIES),
@@ -369,22 +375,22 @@ class FitTable:
     clubs: tuple[Club, ...] = file_key(Items(Reference(club_of), 1, allowed=_NAMES), "heads")
     balls: tuple[Ball | None, ...] = file_key(Items(Reference(ball_of), 1, allowed=_NAMES), "balls", default=(None,))
     setting: tuple[Mapping[str, Any], ...] = file_key(
-        Tables(SETTING), "settings of the hosel or of weights: a name and the changes that it makes", default=()
+        Tables(SETTING), "settings of the hosel or of weights: name and changes", default=()
     )
-    loft: tuple[float, float] | None = file_key(_bounds("loft"), "least and greatest change of loft", default=None)
-    lie: tuple[float, float] | None = file_key(_bounds("lie"), "least and greatest change of lie", default=None)
+    loft: tuple[float, float] | None = file_key(_bounds("loft"), "range of change of loft", default=None)
+    lie: tuple[float, float] | None = file_key(_bounds("lie"), "range of change of lie", default=None)
 
 
 @dataclass(frozen=True, kw_only=True)
 class CommonFile:
     """Keys common to study and fitting files."""
 
-    title: str = file_key(TEXT, "its name in reports")
-    golfer: Any = file_key(NAMED_GOLFERS, "who plays: a name, a file, or tables [[golfer]] with name and weight")
-    model: str = file_key(TEXT, "the model of impact, one with derivatives", default=DEFAULT_MODEL)
-    shots: int = file_key(count(*COUNTS["shots"]), "shots of a golfer", default=10_000)
-    seed: int = file_key(count(*COUNTS["seed"]), "of the shots and of the starts", default=1)
-    hole: Hole | None = file_key(Table(Hole), "for the objective `strokes`", default=None)
+    title: str = file_key(TEXT, "name in reports")
+    golfer: Any = file_key(NAMED_GOLFERS, "golfers: a name, a file, or tables [[golfer]] with name and weight")
+    model: str = file_key(TEXT, "impact model, which must have derivatives", default=DEFAULT_MODEL)
+    shots: int = file_key(count(*COUNTS["shots"]), "shots per golfer", default=10_000)
+    seed: int = file_key(count(*COUNTS["seed"]), "seed of shots and starts", default=1)
+    hole: Hole | None = file_key(Table(Hole), "hole for the objective `strokes`", default=None)
     air: Any = file_key(Record(Simple()), "conditions of the flight", default=None)
     wind: Any = file_key(Simple(), "conditions of the flight", default=None)
     ground: Any = file_key(Simple(), "conditions of the flight", default=None)
@@ -412,15 +418,17 @@ class StudyFile(CommonFile):
             {str: Choice(tuple(JUDGED)), list: Items(Choice(tuple(JUDGED)), 1, 2)},
             "one objective, or a list of two different ones",
         ),
-        "what is best: one, or two for the front between both",
+        "objective, or two objectives for a Pareto front",
     )
-    club: Club = file_key(Reference(club_of), "the club to start from")
+    club: Club = file_key(Reference(club_of), "starting club")
     ball: Ball | None = file_key(Reference(ball_of), "the ball", default=None)
-    starts: int = file_key(count(*COUNTS["starts"]), "starts of the solver", default=8)
-    points: int | None = file_key(count(*COUNTS["points"]), "points of a front between two objectives", default=None)
-    variables: Mapping[str, Any] = file_key(VARIABLES, 'what may change, within bounds; `mass_distribution = "free"`')
-    head: HeadTable | None = file_key(Table(HeadTable), "what the head may be", default=None)
-    limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "of fields and of results", default_factory=dict)
+    starts: int = file_key(count(*COUNTS["starts"]), "number of solver starts", default=8)
+    points: int | None = file_key(count(*COUNTS["points"]), "number of points on a Pareto front", default=None)
+    variables: Mapping[str, Any] = file_key(VARIABLES, 'variables with their bounds; `mass_distribution = "free"`')
+    head: HeadTable | None = file_key(Table(HeadTable), "limits on the head", default=None)
+    limits: Mapping[str, tuple[float, float]] = file_key(
+        LIMITS, "limits of fields and objectives", default_factory=dict
+    )
     rules: Mapping[str, bool] = file_key(RULES, "whether the rules are limits, with tolerances", default_factory=dict)
     mass: Mapping[str, float] = file_key(
         Record({"speed_exponent": PhysicalValue("1", 0, 1, allowed="a number from 0 to 1")}),
@@ -433,13 +441,13 @@ class StudyFile(CommonFile):
         if len(set(objectives)) < len(objectives):
             raise InputError("objective", list(objectives), "one objective, or a list of two different ones")
         if len(objectives) == 1 and self.points is not None:
-            raise InputError("points", self.points, "leave it out; it is for the front between two objectives")
+            raise InputError("points", self.points, "leave it out; it is for a front between two objectives")
         bounds = {name: each for name, each in self.variables.items() if name != DISTRIBUTION}
         distributed = DISTRIBUTION in self.variables
         own = [name for name in bounds if distributed and name in MASS_PROPERTIES and name != "mass"]
         if own:
             raise InputError(
-                f"variables.{own[0]}", list(bounds[own[0]]), f"under [limits], since {DISTRIBUTION} is free"
+                f"variables.{own[0]}", list(bounds[own[0]]), f"given under [limits], since {DISTRIBUTION} is free"
             )
         exponent = self.mass.get("speed_exponent", SPEED_EXPONENT)
         return DesignStudy(
@@ -454,8 +462,8 @@ class StudyFile(CommonFile):
 class FittingFile(CommonFile):
     """A fitting file."""
 
-    objective: str = file_key(Choice(tuple(JUDGED)), "what is best")
-    fit: FitTable = file_key(Table(FitTable), "the parts to choose among")
+    objective: str = file_key(Choice(tuple(JUDGED)), "objective")
+    fit: FitTable = file_key(Table(FitTable), "parts to choose from")
 
     def fitting(self) -> Fitting:
         """Return the fitting."""
@@ -469,9 +477,9 @@ class FittingFile(CommonFile):
 
 
 OTHER_FILES = {
-    "cg_x": ("a club", 'a study of its own names it, as in club = "my-driver.toml"'),
-    "study": ("a study of many runs", "clubface study run reads it"),
-    "metals": ("a study of a head of shells", "clubface fem design reads it"),
+    "cg_x": ("a club", 'name it in a study, as in club = "my-driver.toml"'),
+    "study": ("a study of many runs", "run it with clubface study run"),
+    "metals": ("a study of a shell head", "run it with clubface fem design"),
 }
 """Other kinds of file, by a key that only they have, and how to use them."""
 

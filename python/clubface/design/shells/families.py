@@ -85,13 +85,13 @@ def metal_choices(metals: Sequence[NamedMetal], groups: Sequence[str]) -> tuple[
     alternatives: dict[tuple[str, ...], list[NamedMetal]] = {}
     for each in metals:
         if each.groups and not groups:
-            raise InputError(f"groups of {each.name}", list(each.groups), "left out: this head is of one metal")
+            raise InputError(f"groups of {each.name}", list(each.groups), "left out: this head has one metal")
         check_names(f"groups of {each.name}", each.groups, groups)
         named = tuple(group for group in groups if group in each.groups)
         for others in alternatives:
             if others != named and (both := set(others) & set(named)):
                 first = alternatives[others][0].name
-                message = f"either those of {first} or others: {min(both)} would have two lists of metals"
+                message = f"either the groups of {first} or other groups: {min(both)} would have two lists of metals"
                 raise InputError(f"groups of {each.name}", list(each.groups), message)
         alternatives.setdefault(named, []).append(each)
     choices = []
@@ -240,8 +240,8 @@ class MeshFamily(Family):
         walls = self.start.thickness[self._group_elements(group)]
         if np.ptp(walls) > 0.0:
             least, most = (units.show(float(each), "mm") for each in (walls.min(), walls.max()))
-            message = f"give the group one thickness in the file of the head: cards of the mesh fix {least} to {most}"
-            raise InputError(f"variables.thickness.{group}", Wording("fixed element by element"), message)
+            message = f"give the group one thickness in the file of the head: the mesh has {least} to {most}"
+            raise InputError(f"variables.thickness.{group}", Wording("set element by element"), message)
 
     def value(self, head: MeshHead, name: str) -> float:
         table, _, key = name.partition(".")

@@ -167,7 +167,7 @@ def improve(
                 chosen = each
         if not chosen.within:
             lacks = broken(chosen.goal.limits, chosen.best.values)
-            advice = "give limits or bounds that some head can keep, or allow more designs"
+            advice = "give limits or bounds that a head can meet, or allow more designs"
             raise RunError(
                 f"no head within all limits was found; the best, of {chosen.metal.name}, has {lacks}; {advice}"
             )

@@ -46,7 +46,7 @@ from clubface.design.golfer import Golfer, golfer as golfer_of
 from clubface.design.shells.families import Family, Head, MetalChoice, NamedMetal, face_parts, family_of, metal_choices
 from clubface.design.shells.trust_region import Goal
 from clubface.equipment.rules import rules_of
-from clubface.errors import InputError, ShotError
+from clubface.errors import InputError, ShotError, Wording
 from clubface.fem.balls import Ball, ball as ball_of
 from clubface.fem.heads.metal import Metal
 from clubface.fem.heads.parametric import DRIVER_SHAPES, DriverHead
@@ -185,15 +185,15 @@ METALS = Tables(Record(_METAL_KEYS, ("name", "youngs", "poisson", "density"), ma
 class _Asked:
     """Keys common to a study and its file."""
 
-    title: str = file_key(TEXT, "for tables")
-    head: Head = file_key(Reference(_head), "a driver from dimensions, or a mesh of shells, to start from")
+    title: str = file_key(TEXT, "name in tables")
+    head: Head = file_key(Reference(_head), "starting head: a parametric driver, or a mesh of shells")
     objective: str = file_key(Choice(tuple(OBJECTIVES)), "the objective; `wall_mass` is minimised")
-    ball: Ball = file_key(Reference(ball_of), "the ball of finite elements", default_factory=ball_of)
+    ball: Ball = file_key(Reference(ball_of), "finite element ball", default_factory=ball_of)
     safety: float = file_key(PhysicalValue("1"), "factor by which the yield stress is divided", default=1.0)
     rules: bool = file_key(FLAG, "whether the rules of golf, with their tolerances, are limits", default=True)
     designs: int = file_key(count(2, 500), "maximum number of designs to compute, for each metal", default=20)
     radius: float = file_key(
-        PhysicalValue("1"), "half the width of the first region, as a fraction of the bounds", default=0.3
+        PhysicalValue("1"), "half the width of the initial trust region, as a fraction of the bounds", default=0.3
     )
     neighbours: bool = file_key(FLAG, "whether neighbours of the start are computed first", default=True)
     limits: Mapping[str, tuple[float, float]] = file_key(LIMITS, "least and greatest values", default_factory=dict)
@@ -261,17 +261,16 @@ class ShellStudy(_Asked):
             if not least < most:
                 raise InputError(f"variables.{name}", (least, most), "the least value, then the greatest")
             if not least <= own <= most:
-                raise InputError(
-                    f"variables.{name}", show(name, own),
-                    f"bounds that hold what the head has; these go from {show(name, least)} to {show(name, most)}",
-                )  # fmt: skip
+                given = Wording(f"{show(name, least)} to {show(name, most)}")
+                allowed = f"bounds that include {show(name, own)}, the value of the head"
+                raise InputError(f"variables.{name}", given, allowed)
         self._check_limits()
         for choice in choices if self.hardest is not None else ():
             for part in self.family.start.parts:
                 name, metal = self.family.metal(part.name, choice)
                 if part.face and metal.yield_stress is None:
                     raise InputError(
-                        "yield", None, f"the yield stress of {name}, which the hardest impact is held against"
+                        "yield", None, f"give the yield stress of {name}, the limit of the stress in the hardest impact"
                     )
         self._check_heads()
 
@@ -282,7 +281,7 @@ class ShellStudy(_Asked):
         if isinstance(self.head, DriverHead):
             made, (least, most) = self.head.target["mass"], self.limits.get("mass", (0.0, math.inf))
             if not least <= made <= most:
-                allowed = f"a range that holds the {units.show(made, 'g')} that the head is made to have, by its target"
+                allowed = f"a range that includes {units.show(made, 'g')}, the target mass of the head"
                 raise InputError("limits.mass", shown["mass"], allowed)
         if "volume" in self.limits and self.family.start.volume is None:
             raise InputError("limits.volume", shown["volume"], "left out: the mesh is open and has no volume")
@@ -295,7 +294,7 @@ class ShellStudy(_Asked):
                     try:
                         self.family.check(self.at(self.start(), self.choices[0], {name: value}))
                     except InputError as error:
-                        allowed = f"bounds at which there is a head ({error})"
+                        allowed = f"bounds at which the head can be made ({error})"
                         raise InputError(f"variables.{name}", show(name, value), allowed) from error
             club = self.at(self.start(), self.choices[0]).mesh().club
             impacts = {"delivery": self.delivery, **({} if self.hardest is None else {"hardest": self.hardest})}
@@ -354,10 +353,8 @@ class ShellFile(_Asked):
     """A study file for a shell head."""
 
     golfer: Golfer | None = file_key(Reference(golfer_of), "golfer whose mean delivery is used instead", default=None)
-    variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "what may change, within bounds")
-    delivery: Mapping[str, Any] = file_key(
-        FACE_IMPACT, "the delivery, and the points that it strikes", default_factory=dict
-    )
+    variables: Mapping[str, Mapping[str, Any]] = file_key(Record(VARIABLE_TABLES), "variables with their bounds")
+    delivery: Mapping[str, Any] = file_key(FACE_IMPACT, "delivery, with its impact points", default_factory=dict)
     hardest: Mapping[str, Any] | None = file_key(
         FACE_IMPACT, "what differs in the hardest impact, which the face must withstand", default=None
     )
@@ -382,7 +379,7 @@ class ShellFile(_Asked):
                 raise InputError("delivery.speed", None, "give it, or a golfer")
             return FaceImpact(delivery=values, points=points)
         for name, value in values.items():
-            raise InputError(f"delivery.{name}", value, "left out: the golfer delivers; give points alone")
+            raise InputError(f"delivery.{name}", value, "left out: the golfer gives the delivery; keep only points")
         mean = self.golfer.for_hand(1.0).delivery()
         values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
         return FaceImpact(

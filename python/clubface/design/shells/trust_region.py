@@ -249,7 +249,7 @@ class _Search:
         """Search from a start."""
         values = self._exact([start])[0]
         if self._goal.violation(values) == math.inf:
-            raise RunError("the design to start from fails")
+            raise RunError("the starting design fails")
         self._record_step(start, "start", values, None)
         self._correction = Correction(self._names, start, self._ratio(start, values))
         if neighbours and self._can_evaluate_neighbours(start):
@@ -264,12 +264,12 @@ class _Search:
                 continue
             # Slopes learnt on the way hold only along the path, so evaluate neighbours before relying on them.
             if not neighbours or looked or not self._can_evaluate_neighbours(place):
-                ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the region of trust became small"
+                ended = "no proposal promised a gain" if gain < LEAST_GAIN else "the trust region became small"
                 break
             self._evaluate_neighbours(place, NEAR)
             self._radius, looked = max(self._radius, RENEWED_RADIUS), True
         else:
-            ended = f"{self._most} designs were judged, as many as allowed"
+            ended = f"the maximum of {self._most} designs was evaluated"
         return SearchResult(steps=tuple(self._steps), best=self._best, ended=ended)
 
     def _record_step(self, place: Floats, kind: str, values: Values, promised: Values | None) -> bool:

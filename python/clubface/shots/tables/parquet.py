@@ -55,7 +55,7 @@ class ParquetReader:
             if not start.startswith(b"PAR1"):
                 refuse_no_table(path, start)
                 raise FileError(
-                    self.path, None, "this is not a Parquet file; the name of a text must end in .csv or .tsv"
+                    self.path, None, "this is not a Parquet file; the name of a text file must end in .csv or .tsv"
                 )
             source.seek(0)
             self._file = self._arrow.parquet.ParquetFile(source)

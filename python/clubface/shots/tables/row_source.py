@@ -311,7 +311,7 @@ class WorkbookRows:
         try:
             sheets = [each for each in self._book.worksheets if self._has_table(each)]
             if not sheets:
-                raise FileError(self.path, None, "no sheet of this workbook holds a table: names above numbers")
+                raise FileError(self.path, None, "no sheet of this workbook has a table, with names above numbers")
             self._rows = self._cells(sheets[0])
             self._count = max(sheets[0].max_row or 1, 1)
         except BaseException:

@@ -205,7 +205,7 @@ def _optimisation_task(study: DescribedStudy) -> OneByOne:
         raise InputError("file", None, 'the file of an optimisation, as in file = "better.toml"')
     asked = read(study.folder / study.table["file"])
     if not isinstance(asked, DesignStudy):
-        raise InputError("file", study.table["file"], "one with variables: a fitting chooses among parts")
+        raise InputError("file", study.table["file"], "an optimisation with variables, not a fitting")
     swept = {each.name for each in study.design.axes}
     parts = {name: study.load(name, read) for name, read in READERS.items() if name in swept}
     every = {
@@ -246,7 +246,7 @@ def changed_study(study: DesignStudy, task: Mapping[str, Any]) -> DesignStudy:
             least, most = ends[table][field]
             least, most = (value, most) if end == "least" else (least, value)
             if not least < most:
-                raise InputError(name, value, f"so that {field} has a least value below its greatest")
+                raise InputError(name, value, f"such that the lower bound of {field} is below its upper bound")
             ends[table][field] = (least, most)
     head = study.head
     if "discretionary_mass" in task:

@@ -113,7 +113,7 @@ def _best_loft_task(study: DescribedStudy) -> OneByOne:
 
     shot_inputs = ShotInputs(study)
     if "loft" in study.table.get("held", {}):
-        raise InputError("loft", study.table["held"]["loft"], "left out: the best is looked for")
+        raise InputError("loft", study.table["held"]["loft"], "left out: it is optimised")
 
     def compute(task: Mapping[str, Any]) -> dict[str, Any]:
         options = shot_inputs.single(task)
@@ -187,7 +187,7 @@ def _second(study: DescribedStudy) -> DescribedStudy:
     own = {name: place for name, place, _ in inputs_named(other, swept)}
     for name, place in own.items():
         if name in swept and place.count(".") == 2:
-            wanted = "given in one of both places alone, or for all models"
+            wanted = "given in only one of the two places, or for all models"
             raise InputError(name, Wording(f"in [sweep] and for one model as {OTHER}.{place}"), wanted)
     design = DesignWithout(study.design, replaced_by(own))
     sweep = {each.name: study.sweep.get(each.name) for each in design.axes}
