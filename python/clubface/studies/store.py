@@ -395,7 +395,7 @@ class ParquetFormat:
 def _read_parquet(path: Path) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
     """Return columns and metadata of a part; raise a :class:`FileError` if it is damaged."""
     pyarrow = pyarrow_for(path)
-    if path.exists() and not path.is_file():  # such as a pipe, at which reading would wait
+    if path.exists() and not path.is_file():  # such as a pipe, where reading would block
         raise FileError(str(path), None, "this is not a file; remove it")
     try:
         content = path.read_bytes()  # in one go, as another process may replace the file meanwhile

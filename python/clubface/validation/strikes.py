@@ -66,9 +66,9 @@ def height(judged: Judged) -> list[Figure]:
 
 
 def best_strike(judged: Judged) -> list[Figure]:
-    """Return where on its face a driver is fastest at one launch angle, and what 10 mm away from there cost.
+    """Return the fastest impact point on a driver's face at one launch angle, and the loss 10 mm away from it.
 
-    At every strike the loft is solved. Ball speed is a parabola over the face, so that three strikes determine it.
+    The loft is solved at every impact point. Ball speed is a parabola over the face, so three points determine it.
     """
     places = np.array([-BEST_STEP, 0.0, BEST_STEP])
     result = []
@@ -87,9 +87,9 @@ def best_strike(judged: Judged) -> list[Figure]:
 
 
 def gear_effect(judged: Judged) -> list[Figure]:
-    """Return the spin axis of off-centre strikes, and the share of the depth of the mass centre in it.
+    """Return the spin axis of off-centre strikes, and the part of it due to CG depth.
 
-    The face angle is that of the point struck: where the face bulges, the club is turned back by as much.
+    The face angle refers to the impact point: the club is turned back by the effect of bulge there.
     """
     result = []
     drive: dict[str, Any] = {"speed": TOE_SPEED, "loft": TOE_LOFT}
@@ -113,7 +113,7 @@ def gear_effect(judged: Judged) -> list[Figure]:
 
 
 def nominal(depth: float) -> Club:
-    """Return the driver of McNally, Balzerson, Wilson and McPhee (2016), its mass centre ``depth`` [mm] deep."""
+    """Return the driver of McNally, Balzerson, Wilson and McPhee (2016) with a CG depth of ``depth`` [mm]."""
     loft, below = math.radians(10.0), 4.0
     return club("driver").replace(
         name="nominal driver", mass="200 g", loft=loft, bulge="400 mm", roll="350 mm",
@@ -133,7 +133,7 @@ TIME_TOLERANCE = units.parse("25 us", "time")
 
 
 def block(mass: float, inertia: float) -> Club:
-    """Return a rigid block with a plane, upright face before its mass centre [kg, kg m2]."""
+    """Return a rigid block with a plane, vertical face in front of its CG [kg, kg m2]."""
     with without_warnings():  # no head weighs a ton
         return Club(
             name="block", kind="iron", mass=mass, cg_x=0.03, cg_y=0.0, cg_z=0.0, loft=0.0,

@@ -90,7 +90,7 @@ def decimals_of(cells: Iterable[tuple[str, str | None]], delimiter: str) -> Deci
             continue
         whole, _, decimals = cell.partition(".")
         if whole.removeprefix("-").isdecimal() and decimals.isdecimal() and len(decimals) != 3 and cell.isascii():
-            votes["."] += 1  # as below, but for most cells of most files at a tenth of the cost
+            votes["."] += 1  # fast path for the most common cells, ten times faster
             shown["."] |= quantity in LARGE
             continue
         match = NUMBER.fullmatch(cell.strip())
@@ -265,7 +265,7 @@ def reading(cell: str, quantity: str, decimal_comma: bool, positive: float = 1.0
     (``positive`` is clubface's sign of the column's positive side), -1.2 L is 1.2 to the left and -1.2 R is an error.
     """
     if not decimal_comma and PLAIN.fullmatch(cell):
-        return CellReading(float(cell))  # as below, but for most cells of most files at a tenth of the cost
+        return CellReading(float(cell))  # fast path for the most common cells, ten times faster
     if is_missing(cell):
         return None
     match, side, unit = _parts(cell, quantity)

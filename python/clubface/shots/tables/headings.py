@@ -248,7 +248,7 @@ def shot_words() -> Vocabulary:
 class FileColumn(NamedTuple):
     """A column in use."""
 
-    place: int  # in a row
+    place: int  # position in a row
     heading: str  # as in the file
     quantity: str
     unit: str  # symbol of the unit of its numbers

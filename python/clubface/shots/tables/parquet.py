@@ -70,7 +70,7 @@ class ParquetReader:
         """Yield chunks of ``rows`` rows, after skipping the first ``skip``."""
         try:
             for batch in self._file.iter_batches(rows):
-                batch.validate(full=True)  # text that is not UTF-8, which a damaged page brings
+                batch.validate(full=True)  # finds text that is not UTF-8, as from a damaged page
                 first, self._read = self._read, self._read + batch.num_rows
                 if self._read > skip:
                     from_ = max(0, skip - first)

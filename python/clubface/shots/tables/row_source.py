@@ -256,7 +256,7 @@ class CsvRows:
                 is_open = "unexpected end of data" in str(error)
                 reason = "a quoted cell that begins here does not end" if is_open else f"this is not CSV: {error}"
                 return Reject(begins, reason, ["".join(self._raw)])
-            if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # zeros fill the end of a broken file
+            if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # a broken file may end in zeros
                 text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
                 is_damaged = "\x00" in text
                 return (
@@ -303,9 +303,9 @@ class WorkbookRows:
             if sum(sizes.values()) > LARGEST or max(parts) > LARGEST_PART:
                 message = f"this workbook has {sum(sizes.values()) // 1_000_000} MB unpacked; save the sheet as CSV"
                 raise FileError(self.path, None, message)
-            with without_foreign_warnings():  # of styles and extensions that openpyxl passes over
+            with without_foreign_warnings():  # on styles and extensions that openpyxl ignores
                 self._book: Any = load_workbook(self._file, read_only=True, data_only=True)
-        except Exception as error:  # openpyxl raises what its XML and ZIP raise
+        except Exception as error:  # openpyxl passes on any error of its XML and ZIP readers
             self._file.close()
             raise self._damaged(error) from None
         try:
@@ -353,7 +353,7 @@ class WorkbookRows:
         """Yield the rows of a sheet, padded to its widest named row so far, without empty cells beyond."""
         width = 0
         try:
-            sheet.reset_dimensions()  # programs write wrong ones
+            sheet.reset_dimensions()  # programs write wrong dimensions
             for row in sheet.iter_rows(values_only=True):
                 cells = [_text(each) for each in row]
                 while cells and not cells[-1]:
@@ -365,7 +365,7 @@ class WorkbookRows:
                 yield cells + [""] * (width - len(cells))
         except FileError:
             raise
-        except Exception as error:  # as above: sheets are read as they are gone through
+        except Exception as error:  # as above, since sheets are read row by row
             raise self._damaged(error) from None
 
     def _damaged(self, error: Exception) -> FileError:

@@ -24,7 +24,7 @@ DIGITS = 9
 
 
 class OutputFormat(Protocol):
-    """How launches are written: a chunk at a time to files of their own, which are put together in the end."""
+    """A format for launches: chunks are written to separate files, which are joined at the end."""
 
     def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
         """Write some rows of a chunk (None: all), each followed by its results."""
