@@ -123,7 +123,7 @@ def test_effective_size_and_resampling_follow_the_weights():
 def test_the_draws_come_from_the_best_of_the_proposals_that_were_tried(monkeypatch):
     """Each that reaches the posterior is tried; the last one fitted never is, so that nothing speaks for it."""
     fitted, last = [], []
-    fit, collect = importance._fitted, importance._collected
+    fit, collect = importance._fit_proposal, importance._collect_draws
 
     def fitting(*given):
         fitted.append(fit(*given))
@@ -133,8 +133,8 @@ def test_the_draws_come_from_the_best_of_the_proposals_that_were_tried(monkeypat
         last.append(proposal)
         return collect(density, proposal, *given)
 
-    monkeypatch.setattr(importance, "_fitted", fitting)
-    monkeypatch.setattr(importance, "_collected", collecting)
+    monkeypatch.setattr(importance, "_fit_proposal", fitting)
+    monkeypatch.setattr(importance, "_collect_draws", collecting)
     likelihood, *_ = linear()
     drawn(likelihood, 6, size=400, seed=1)
     (chosen,) = last

@@ -32,8 +32,8 @@ def alternatives_of(
     """
     from clubface.equipment.balls import ball
 
-    heads = _named([(options.club_of(each, texts["hand"], texts.get("model")), each) for each in clubs], "CLUB")
-    balls = _named([(ball(each), each) for each in texts["ball"] or [None]], "--ball")
+    heads = _by_name([(options.club_of(each, texts["hand"], texts.get("model")), each) for each in clubs], "CLUB")
+    balls = _by_name([(ball(each), each) for each in texts["ball"] or [None]], "--ball")
     models = options.model_names(texts["model"], DEFAULT_MODEL)
     options.check_accuracy(models, texts["accuracy"])
     swings = _deliveries(changes, file, units or {}, texts)
@@ -55,7 +55,7 @@ def alternatives_of(
     return result
 
 
-def _named(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
+def _by_name(pairs: Sequence[tuple[Any, Any]], option: str) -> dict[str, Any]:
     """Return objects by name; objects with the same name are named as typed."""
     names = [each.name for each, _ in pairs]
     result = {}
@@ -85,7 +85,7 @@ def _sets(model: str, models: Sequence[str], head: Any, texts: Mapping[str, Any]
     if not chosen:
         changed = options.parameter_sets([model], head.parameters, None, fitting)[model]
         return {"default parameters": changed if fitting else None}
-    return _named(chosen, "--parameters")
+    return _by_name(chosen, "--parameters")
 
 
 def _deliveries(

@@ -71,7 +71,7 @@ def report(error: BaseException) -> int:
         print_note("not enough memory for this request; give fewer shots at a time")
         return 2
     if hasattr(error, "format_message"):
-        return _misused(error)
+        return _report_misuse(error)
     if type(error).__name__ == "Abort":
         print_note("interrupted")
         return 130
@@ -94,7 +94,7 @@ def missing_library(error: ModuleNotFoundError) -> int:
     return 2
 
 
-def _misused(error: Any) -> int:
+def _report_misuse(error: Any) -> int:
     """Report a missing, unknown or malformed option or argument (an exception of Typer)."""
     context = getattr(error, "ctx", None)
     message = error.format_message()

@@ -58,7 +58,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
 
     maps = []
     for place, (head, chosen) in enumerate(zip(heads, sets, strict=True)):
-        kept = output.target if place == 0 or output.target is None else _second(output.target)
+        kept = output.target if place == 0 or output.target is None else _second_store(output.target)
         with progress_bar("points") as update:
             maps.append(
                 map_face(
@@ -72,7 +72,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     mapped = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if output.target is not None:
         write_table(mapped.all_points(), output.target)
-        for kept, each in zip((output.target, _second(output.target)), maps, strict=False):
+        for kept, each in zip((output.target, _second_store(output.target)), maps, strict=False):
             if each.interpolated:  # otherwise nothing was stored, and a folder of that name is unrelated
                 finished(kept)
     result = mapped.to_result(names, scatter)
@@ -81,7 +81,7 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
     output.show(result, write_table=False)
 
 
-def _second(target: str) -> str:
+def _second_store(target: str) -> str:
     """Return the name for storing the second club's points until the file is written."""
     path = Path(target)
     return str(path.with_name(f"{path.stem}.minus{path.suffix}"))

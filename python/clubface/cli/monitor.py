@@ -58,7 +58,7 @@ def listen(**texts: Any) -> None:
     output.check_target("--output", target, KINDS)
     if target is not None and Path(target).exists():
         raise FileError(target, None, "this file exists already; give a new one, so that no shots are lost")
-    wait = _seconds("--timeout", timeout, above=0.0) if timeout is not None else None
+    wait = _waiting_time("--timeout", timeout, above=0.0) if timeout is not None else None
     if count is not None:
         check_count("--shots", count, 1, MOST_SHOTS)
     kept: list[Message] = []
@@ -108,9 +108,9 @@ def send(
 
     shots = read_shots(file, texts | {"hand": None}, where=True)
     first, last = _range(texts["shot"], len(shots))
-    seconds = _seconds("--pause", texts["pause"])
+    seconds = _waiting_time("--pause", texts["pause"])
     refused = sent = 0
-    with Sender(texts["port"], timeout=_seconds("--timeout", texts["timeout"], above=0.0)) as sender:
+    with Sender(texts["port"], timeout=_waiting_time("--timeout", texts["timeout"], above=0.0)) as sender:
         for row in range(first - 1, last):
             launch, delivery = (
                 {name: float(values[row]) for name, values in columns.items() if values[row] == values[row]}
@@ -230,7 +230,7 @@ def _clubs(texts: list[str]) -> Any:
     return texts[0] if texts else None
 
 
-def _seconds(option: str, text: str, above: float | None = None) -> float:
+def _waiting_time(option: str, text: str, above: float | None = None) -> float:
     """Return a waiting time [s], which may be 0 unless it must be positive."""
     value = parse(text, "time", name=option)
     if value < 0.0 or value == above or value > LONGEST:

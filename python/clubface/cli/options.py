@@ -368,7 +368,7 @@ def parameter_sets(
 
     sets = {name: ParameterSet.builtin(name, family) for name in names}
     for each in [chosen] if isinstance(chosen, str) else chosen or ():
-        sets.update(_chosen(names, family, each))
+        sets.update(_chosen_sets(names, family, each))
     for key, value in pairs(settings or (), "--set").items():
         holders = [name for name in names if key in sets[name].values]
         if not holders and (others := models_with(key)):
@@ -379,7 +379,7 @@ def parameter_sets(
     return sets
 
 
-def _chosen(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
+def _chosen_sets(names: Sequence[str], family: str, chosen: str) -> dict[str, Any]:
     from clubface.equipment.parameters import ParameterSet, builtin_sets, read_sets
     from clubface.schema import Document
     from clubface.support.files import is_path

@@ -52,11 +52,11 @@ def shot(club: options.ClubArgument, **texts: Any) -> None:
     hints = () if texts["model"] else (note("all-models"),)
     result = shot_result(launches, flights, conditions=conditions, paths=lambda: _paths(launches, conditions, delivery))
     if output.report is not None:
-        result = _with_reasons(result, launches, delivery, conditions)
+        result = _add_reasons(result, launches, delivery, conditions)
     output.show(result.replace(hints=hints))
 
 
-def _with_reasons(result: Any, launches: Mapping[str, Any], delivery: Any, conditions: Mapping[str, Any]) -> Any:
+def _add_reasons(result: Any, launches: Mapping[str, Any], delivery: Any, conditions: Mapping[str, Any]) -> Any:
     """Return a shot with the reasons for its flight, in words and as a picture, by the first model that has them."""
     from clubface.equipment.models import models
     from clubface.simulation.explanation import explain, explanation_picture

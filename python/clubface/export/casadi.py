@@ -111,7 +111,7 @@ def casadi_source(
         "head",
         title=f"{impact.club.name} and {impact.ball.name} by the model {model}".replace("*/", ""),
         version=__version__, model=model, tolerance=repr(impact.accuracy or 0.0),
-        tables="\n".join(line for title, each in vectors.items() for line in _listed(title, each)),
+        tables="\n".join(line for title, each in vectors.items() for line in _list_elements(title, each)),
         inputs=len(inputs()), outputs=len(outputs()), flight_inputs=len(flown), flight_outputs=len(flight_outputs()),
         parameters=len(parameter_names), fixed=_values({name: numbers[name] for name in inputs()}),
         parameter_values=_values({name: numbers[name] for name in parameter_names}), flight_fixed=_values(flown),
@@ -142,7 +142,7 @@ def _function(name: str, function: Differentiable, *, argument: str, result: str
         yield _template("second", name=name, sizes=", ".join(map(_number, function.sizes)), step=repr(function.step))
 
 
-def _listed(title: str, variables: Sequence[Any]) -> list[str]:
+def _list_elements(title: str, variables: Sequence[Any]) -> list[str]:
     """Return comment lines that list the elements of a vector."""
     return [
         f" * {title}:",

@@ -113,7 +113,7 @@ def write_fmu(
     values = dict(zip(inputs(), shot.shots.columns, strict=True))
     chosen = dict(zip((each.name for each in described.parameters), shot.parameters, strict=True))
     library, folder, suffix = native_library(version)
-    variables = (*_head(), *_start(), *_described(values, chosen, described), *_outputs())
+    variables = (*_head(), *_start(), *_club_variables(values, chosen, described), *_outputs())
     names = ["time", *(each.name for each in variables)]
     setup = {
         "model": model,
@@ -171,7 +171,7 @@ def _start() -> Iterator[Variable]:
     yield Variable("head_gives_way", "1", meaning, "parameter", 1.0, "Boolean")
 
 
-def _described(values: dict[str, float], chosen: dict[str, float], described: Any) -> Iterator[Variable]:
+def _club_variables(values: dict[str, float], chosen: dict[str, float], described: Any) -> Iterator[Variable]:
     for name, each in inputs().items():
         attached = each.group == "attachment" and any(values[n] for n, i in inputs().items() if i.group == "attachment")
         if (each.group in EXCHANGED or attached) and math.isfinite(values[name]):
@@ -231,7 +231,7 @@ def _attributes(each: Variable, reference: int) -> dict[str, str]:
     }
 
 
-def _typed(each: Variable) -> dict[str, str]:
+def _type_attributes(each: Variable) -> dict[str, str]:
     """Return unit, bounds and start value in the form of both FMI versions; outputs have no start value."""
     typed = {"unit": each.unit} if each.kind == "Real" and each.unit != "1" else {}
     if each.bounds is not None:
@@ -251,7 +251,7 @@ def _description_2(name: str, token: str, title: str, variables: tuple[Variable,
     for reference, each in enumerate(variables, 1):
         initial = {"parameter": {"initial": "exact"}, "output": {"initial": "calculated"}}.get(each.causality, {})
         scalar = ElementTree.SubElement(listed, "ScalarVariable", _attributes(each, reference) | initial)
-        ElementTree.SubElement(scalar, each.kind, _typed(each))
+        ElementTree.SubElement(scalar, each.kind, _type_attributes(each))
     structure = ElementTree.SubElement(root, "ModelStructure")
     for part in ("Outputs", "InitialUnknowns"):
         unknowns = ElementTree.SubElement(structure, part)
@@ -275,7 +275,9 @@ def _description_3(name: str, token: str, title: str, variables: tuple[Variable,
     kinds = {"Real": "Float64", "Integer": "Int32", "Boolean": "Boolean"}
     for reference, each in enumerate(variables, 1):
         initial = {"parameter": {"initial": "exact"}, "output": {"initial": "calculated"}}.get(each.causality, {})
-        ElementTree.SubElement(listed, kinds[each.kind], _attributes(each, reference) | initial | _typed(each))
+        ElementTree.SubElement(
+            listed, kinds[each.kind], _attributes(each, reference) | initial | _type_attributes(each)
+        )
     structure = ElementTree.SubElement(root, "ModelStructure")
     for part in ("Output", "InitialUnknown"):
         for reference, each in enumerate(variables, 1):

@@ -105,12 +105,12 @@ class ShotRows:
         return self._prepared[hand]
 
 
-def _spelled(name: str) -> str:
+def _spell_name(name: str) -> str:
     return "club_speed" if name == "speed" else name
 
 
 def _heading(name: str, unit: str, end: str = "") -> str:
-    return f"{_spelled(name)}{end}_{unit}" if unit.isalnum() else f"{_spelled(name)}{end} [{unit}]"
+    return f"{_spell_name(name)}{end}_{unit}" if unit.isalnum() else f"{_spell_name(name)}{end} [{unit}]"
 
 
 def _cell(value: float, unit: str) -> str:
@@ -204,7 +204,7 @@ def infer_shots(
     content = {
         "set of measured shots": [shots.rows, shots.launches, shots.deliveries, shots.hand],
         "point of measurement": [shots.speed_at, shots.face_at],
-        "club, prior or option": {name: _with_content(value) for name, value in rows.options.items()},
+        "club, prior or option": {name: _content_of_option(value) for name, value in rows.options.items()},
     }
     folder = unfinished_folder(target, [shots.source])
     with Store(folder, content, output=target, resume=resume) as store:
@@ -239,6 +239,6 @@ def _rows(data: bytes) -> ShotRows:
     return ShotRows(shots, **{**options, "threads": 1})
 
 
-def _with_content(value: Any) -> Any:
+def _content_of_option(value: Any) -> Any:
     """Return an option, replaced by the content of the file if it is a file name."""
     return input_file(value).sha256 if is_path(value) else value

@@ -152,7 +152,7 @@ def sample(
     FloatingPointError
         No draw from the first proposal is possible.
     """
-    random, count = np.random.default_rng(seed), _a_stage(size)
+    random, count = np.random.default_rng(seed), _stage_size(size)
     proposal = chosen = first
     power, stages, refined, evaluations, best, stalled = 0.0, 0, 0, 0, 0.0, 0
     while stages < MOST_STAGES and refined < REFINEMENTS and stalled < STALLED:
@@ -174,16 +174,16 @@ def sample(
         if power == 1.0:
             if proposal is first:
                 logs = base + ratio
-                return _collected(
+                return _collect_draws(
                     log_density, first, random, size, stages, evaluations - count, points, logs, count, MOST_DRAWS
                 )
             refined += 1
             if effective(weights) > best:
                 best, chosen = effective(weights), proposal
-        proposal = _fitted(points, weights)
+        proposal = _fit_proposal(points, weights)
     last = proposal if refined < REFINEMENTS else chosen
     none, count = (np.empty((0, first.mean.size)), np.empty(0)), max(MOST_A_STAGE, size)
-    return _collected(log_density, last, random, size, stages, evaluations, *none, count, MOST_DRAWS)
+    return _collect_draws(log_density, last, random, size, stages, evaluations, *none, count, MOST_DRAWS)
 
 
 def attempt(log_density: Callable[[Floats], Floats], proposal: Proposal, *, size: int, seed: int) -> Sample:
@@ -191,21 +191,21 @@ def attempt(log_density: Callable[[Floats], Floats], proposal: Proposal, *, size
 
     Arguments as for :func:`sample`.
     """
-    random, count = np.random.default_rng(seed), _a_stage(size)
+    random, count = np.random.default_rng(seed), _stage_size(size)
     points = proposal.draw(random, count)
     logs = log_density(points) - proposal.log_density(points)
     logs = np.where(np.isfinite(logs), logs, -np.inf)
     if not np.isfinite(logs).any():
         raise FloatingPointError("no draw is possible")
     good = effective(normalised(logs)) >= TARGET * count
-    return _collected(log_density, proposal, random, size, 1, 0, points, logs, count, MOST_DRAWS if good else count)
+    return _collect_draws(log_density, proposal, random, size, 1, 0, points, logs, count, MOST_DRAWS if good else count)
 
 
-def _a_stage(size: int) -> int:
+def _stage_size(size: int) -> int:
     return min(max(4 * size, FEWEST_A_STAGE), MOST_A_STAGE)
 
 
-def _collected(
+def _collect_draws(
     log_density: Callable[[Floats], Floats],
     proposal: Proposal,
     random: np.random.Generator,
@@ -272,7 +272,7 @@ def _power(base: Floats, ratio: Floats, reached: float) -> float:
     return low
 
 
-def _fitted(points: Floats, weights: Floats) -> Proposal:
+def _fit_proposal(points: Floats, weights: Floats) -> Proposal:
     """Return the t proposal with the mean and the inflated covariance of weighted draws."""
     mean = weights @ points
     centred = points - mean
@@ -357,7 +357,7 @@ class Sheet:
         along, across = np.split(coordinates, [len(self._along)], axis=1)
         base = (self._centre_along + self._wide * along) @ self._along
         sibling, root = self._next_places(base)
-        sibling = sibling + _solved_transposed(root, across.T).T
+        sibling = sibling + _solve_transposed(root, across.T).T
         volume = np.log(self._wide).sum() - sum(np.log(root[place][place]) for place in range(len(root)))
         return base + sibling @ self._across, np.broadcast_to(volume, len(coordinates))
 
@@ -385,7 +385,7 @@ class Sheet:
         ]
         root = _cholesky(columns)
         downhill = (start + step + after @ self._slopes).T + along * np.sum(missed * after, axis=1)
-        last = -_possible(_solved_transposed(root, _solved(root, downhill)).T)
+        last = -_possible(_solve_transposed(root, _solve(root, downhill)).T)
         return start + step + last, root
 
 
@@ -404,7 +404,7 @@ def _cholesky(matrix: list[list[Floats]]) -> list[list[Floats]]:
     return root
 
 
-def _solved(root: list[list[Floats]], right: Floats) -> Floats:
+def _solve(root: list[list[Floats]], right: Floats) -> Floats:
     """Return x with root x = right, shape (k, n)."""
     solution: list[Floats] = []
     for i, row in enumerate(root):
@@ -412,7 +412,7 @@ def _solved(root: list[list[Floats]], right: Floats) -> Floats:
     return np.array(solution)
 
 
-def _solved_transposed(root: list[list[Floats]], right: Floats) -> Floats:
+def _solve_transposed(root: list[list[Floats]], right: Floats) -> Floats:
     """Return x with root' x = right, shape (k, n)."""
     solution = np.empty_like(right)
     for i in reversed(range(len(root))):

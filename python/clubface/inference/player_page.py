@@ -69,13 +69,13 @@ def typical_notes(club: ClubStatistics) -> Iterator[Note]:
         yield note("player-typical-shot", shots=shots, figures=figures)
     if carry := club.measured.get("carry"):
         data = {"carry": carry.median, "low_carry": carry.low, "high_carry": carry.high, "spread_carry": carry.spread}
-        yield note(f"player-carry{_how_spread(carry)}", **data)
+        yield note(f"player-carry{_spread_suffix(carry)}", **data)
     if side := club.measured.get("side"):
         data = {"side": side.median, "low_side": side.low, "high_side": side.high, "spread_side": side.spread}
-        yield note(f"player-side{_how_spread(side)}", **data)
+        yield note(f"player-side{_spread_suffix(side)}", **data)
 
 
-def _how_spread(statistic: Statistic) -> str:
+def _spread_suffix(statistic: Statistic) -> str:
     """Return the suffix of the note's code for the number of shots: a range, a standard deviation, or neither."""
     return "" if statistic.shots >= ENOUGH else "-few" if statistic.shots > 1 else "-alone"
 

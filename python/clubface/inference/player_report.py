@@ -130,7 +130,7 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_note
     if loft_notes is not None and len(players) > MOST_LOFTS:
         loft_notes = None
         summary.append(note("player-lofts-not-judged", players=len(players)))
-    drawn = _drawn(clubs)
+    drawn = _clubs_to_draw(clubs)
     if len(drawn) < len(clubs):
         summary.append(note("player-pictures-of-some", drawn=len(drawn), clubs=len(clubs)))
     flown = with_computed_carry(shots)
@@ -161,7 +161,7 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_note
     )
 
 
-def _drawn(clubs: Sequence[ClubStatistics]) -> set[int]:
+def _clubs_to_draw(clubs: Sequence[ClubStatistics]) -> set[int]:
     """Return the identities of the clubs that are drawn: the first ones, leaving room for a picture per bag."""
     players: set[str] = set()
     drawn: set[int] = set()

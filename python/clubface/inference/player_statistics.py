@@ -164,7 +164,7 @@ def club_statistics(shots: RecordedShots, name: str, clubs: int = 1) -> ClubStat
         return plain
     most = min(MOST_INFERRED, max(FEWEST_INFERRED, IN_ALL // clubs))
     prepared = _inference(kind, hand, shots.speed_at, shots.face_at)
-    result = _inferred(shots, np.flatnonzero(~mask), prepared, most)
+    result = _infer_deliveries(shots, np.flatnonzero(~mask), prepared, most)
     if result is None:
         return plain
     launch, changes, start, closing = _changes(head, result.mean)
@@ -175,7 +175,7 @@ def with_computed_carry(shots: RecordedShots) -> RecordedShots:
     """Return the shots with carry and side computed from the launch in still air, or unchanged if carry is known."""
     if "carry" in shots.launches or not all(each in shots.launches for each in LAUNCHED):
         return shots
-    return replace(shots, launches=shots.launches | _flown({each: shots.launches[each] for each in LAUNCHED}))
+    return replace(shots, launches=shots.launches | _carry_and_side({each: shots.launches[each] for each in LAUNCHED}))
 
 
 def _hand(shots: RecordedShots) -> str:
@@ -197,16 +197,18 @@ def _inference(kind: str, hand: str, speed_at: str, face_at: str) -> Inference:
     return Inference(club=head, prior="wide", samples=SAMPLES, threads=1, speed_at=speed_at, face_at=face_at)
 
 
-def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], prepared: Inference, most: int) -> Inferred | None:
+def _infer_deliveries(
+    shots: RecordedShots, chosen: NDArray[np.intp], prepared: Inference, most: int
+) -> Inferred | None:
     """Return the inferred deliveries of at most ``most`` of the ``chosen`` shots."""
     places = chosen[np.unique(np.linspace(0, len(chosen) - 1, most).round().astype(int))]
     means, doubts, refused, remarked = [], [], 0, []
     for place in places:
-        launch = _at(shots.launches, QUANTITIES, place)
+        launch = _values_at(shots.launches, QUANTITIES, place)
         if not {"ball_speed", "launch"} <= set(launch):
             continue
         try:
-            result = prepared.of(launch, _at(shots.deliveries, OF_CLUB, place))
+            result = prepared.of(launch, _values_at(shots.deliveries, OF_CLUB, place))
         except UnreachableLaunchError:
             refused += 1
             continue
@@ -225,7 +227,7 @@ def _inferred(shots: RecordedShots, chosen: NDArray[np.intp], prepared: Inferenc
     )
 
 
-def _at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
+def _values_at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
     result = {name: float(columns[name][place]) for name in names if name in columns}
     return {name: value for name, value in result.items() if math.isfinite(value)}
 
@@ -239,12 +241,12 @@ def _changes(
             head, delivery, model=DEFAULT_MODEL, outputs=list(LAUNCHED), variables=[*CHANGES, "closure"]
         )
     base = {name: float(getattr(table.launch, name)) for name in LAUNCHED}
-    before = _flown({name: np.array([value]) for name, value in base.items()})
+    before = _carry_and_side({name: np.array([value]) for name, value in base.items()})
     result = []
     for name, text in CHANGES.items():
         step = units.parse(text, OF_CLUB[name])
         moved = {each: table.value(each, name) * step for each in LAUNCHED}
-        after = _flown({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
+        after = _carry_and_side({each: np.array([base[each] + moved[each]]) for each in LAUNCHED})
         carry, side = (float(after[each][0] - before[each][0]) for each in ("carry", "side"))
         result.append(DeliveryEffect(name=name, step=step, launch=moved, carry=carry, side=side))
     start = {name: table.value("azimuth", name) for name in ("face", "path")}
@@ -252,7 +254,7 @@ def _changes(
     return table.launch, tuple(result), start, closing
 
 
-def _flown(launch: dict[str, Floats]) -> dict[str, Floats]:
+def _carry_and_side(launch: dict[str, Floats]) -> dict[str, Floats]:
     """Return carry and side of launches in still air at sea level; NaN where a value is missing."""
     known = np.all([np.isfinite(values) for values in launch.values()], axis=0)
     result = {name: np.full(known.shape, np.nan) for name in ("carry", "side")}

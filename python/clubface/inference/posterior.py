@@ -318,7 +318,7 @@ class Posterior(Described):
 
 def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = None) -> Picture:
     """Return the picture of all pairs of quantities with priors and correlations; ``truth`` [SI] is marked if given."""
-    names = _drawn_quantities(posterior)
+    names = _quantities_to_draw(posterior)
     known = truth or {}
     rows: list[list[Panel | None]] = []
     for row, below in enumerate(names):
@@ -347,7 +347,7 @@ def pairs_picture(posterior: Posterior, *, truth: Mapping[str, float] | None = N
     return Picture("pairs", caption, rows, share_x=True, legend=True, height=6.9)
 
 
-def _drawn_quantities(posterior: Posterior) -> list[str]:
+def _quantities_to_draw(posterior: Posterior) -> list[str]:
     """Return the quantities that the launch narrows or ties to others; of too many, those narrowed most."""
     tied = np.abs(posterior.correlation - np.eye(len(posterior.names))).max(axis=0) >= CLOSE
     learned = posterior.learned

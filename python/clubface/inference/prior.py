@@ -166,13 +166,13 @@ def prior_of(given: Prior | str | os.PathLike[str] | None, head: Club) -> Prior:
     if isinstance(given, Prior):
         return given
     if given is None or given in NAMED:
-        return _named(given, head).for_hand(head.hand)
+        return _named_prior(given, head).for_hand(head.hand)
     if is_path(given):
         return Prior.from_toml(given)
     raise UnknownNameError("prior", given, (*NAMED, "the path of a TOML file"))
 
 
-def _named(given: Any, head: Club) -> Prior:
+def _named_prior(given: Any, head: Club) -> Prior:
     from clubface.validation.benchmark_data import HEADS
 
     of_elite = {name: club for club, built_in in HEADS.items() for name in (club, built_in)}

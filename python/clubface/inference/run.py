@@ -179,7 +179,7 @@ class Inference:
         progress: Callable[[float], object] | None = None,
     ) -> Posterior:
         """Return the posterior of one shot, as :func:`infer` does, but without range warnings."""
-        measured, club_data = _measured(launch), _measured_club(delivery or {})
+        measured, club_data = _measured_launch(launch), _measured_club(delivery or {})
         known = {name: value for name, value in club_data.items() if name not in self.prior.names}
         club_data = {name: value for name, value in club_data.items() if name not in known}
         names, club_names = tuple(measured), tuple(club_data)
@@ -305,7 +305,7 @@ class Inference:
         return np.stack([given[name] for name in names], axis=1)
 
 
-def _measured(launch: Mapping[str, ValueLike]) -> dict[str, float]:
+def _measured_launch(launch: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured launch quantities [SI], with the spin as backspin and sidespin."""
     if not isinstance(launch, Mapping):
         raise InputError("launch", launch, 'a mapping of measured values, as in {"ball_speed": "160 mph"}')

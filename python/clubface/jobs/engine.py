@@ -150,12 +150,12 @@ def run_table(
     folder = unfinished_folder(target)
     head = f"# case {fingerprint(list(content.values()))[:16]}\n{','.join(columns)}\n"
     prepared_folder(target.parent)
-    complete = _finished(job, _read(target, head, columns)).keys() == set(job.parts)
+    complete = _finished_rows(job, _read(target, head, columns)).keys() == set(job.parts)
     remedy = f"finish that with the same command, or remove {folder}"
     idle = complete and not folder.exists()
     with Finished() if idle else Store(folder, content, output=target, remedy=remedy) as store:
         before = _read(target, head, columns)  # read again: another process may have written it meanwhile
-        finished = _finished(job, before)
+        finished = _finished_rows(job, before)
         rows = run(job, partial(in_threads, workers=workers), store=store, finished=finished, progress=progress)
         if not idle:
             own = {_key(place): row for place, row in rows.items()}
@@ -166,7 +166,7 @@ def run_table(
     return list(rows.values())
 
 
-def _finished(job: Job[Place, Row], rows: Mapping[Place, Row]) -> dict[Place, Row]:
+def _finished_rows(job: Job[Place, Row], rows: Mapping[Place, Row]) -> dict[Place, Row]:
     """Return the rows of a table that are results of a job."""
     present = {place: rows[_key(place)] for place in job.parts if _key(place) in rows}
     return {place: row for place, row in present.items() if job.accepts(place, row)}

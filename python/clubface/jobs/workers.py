@@ -84,7 +84,7 @@ def in_threads(
             return pool.submit(copy_context().run, compute, part, keep_going, threads)
 
         try:
-            for (_, part), future in _completed(numbered, submit, lambda: count):
+            for (_, part), future in _complete_parts(numbered, submit, lambda: count):
                 yield part, future.result()
         finally:
             stopped.set()
@@ -116,7 +116,7 @@ def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int 
         return future
 
     try:
-        for (number, part), future in _completed(enumerate(parts), submit, lambda: count, again=again):
+        for (number, part), future in _complete_parts(enumerate(parts), submit, lambda: count, again=again):
             process = busy.pop(future)
             try:
                 result = future.result()
@@ -141,7 +141,7 @@ def in_processes(parts: Iterable[P], compute: Callable[[P], R], *, workers: int 
             process.end()
 
 
-def _completed(
+def _complete_parts(
     parts: Iterator[P],
     submit: Callable[[P], Future[R]],
     width: Callable[[], int],
@@ -313,7 +313,9 @@ def _on_client(client: Any, parts: Iterable[P], compute: Callable[[P], R], addre
         elif time.monotonic() - answered > SCHEDULER_TIMEOUT or client.status == "closed":
             raise LinkError(address, "is lost: the scheduler of the cluster has stopped")
 
-    completed = _completed(iter(parts), lambda part: executor.submit(compute, part), width, again=again, check=check)
+    completed = _complete_parts(
+        iter(parts), lambda part: executor.submit(compute, part), width, again=again, check=check
+    )
     for part, future in completed:
         try:
             yield part, future.result()

@@ -189,18 +189,18 @@ def _html(block: Block) -> str:
     if isinstance(block, Heading):
         return f"<h{block.level}>{html.escape(block.text)}</h{block.level}>"
     if isinstance(block, Paragraph):
-        return f"<p>{_linked(' '.join(block.texts))}</p>"
+        return f"<p>{_link_addresses(' '.join(block.texts))}</p>"
     if isinstance(block, Bullets):
-        return "<ul>" + "".join(f"<li>{_linked(text)}</li>" for text in block.texts) + "</ul>"
+        return "<ul>" + "".join(f"<li>{_link_addresses(text)}</li>" for text in block.texts) + "</ul>"
     if isinstance(block, Listing):
-        source = _in_the_page(block.text, "text/plain")
-        saved = _saved([_link(source, block.name, "the file")])
+        source = _data_address(block.text, "text/plain")
+        saved = _save_links([_link(source, block.name, "the file")])
         return f"<h3>{html.escape(block.name)}</h3><pre>{html.escape(block.text)}</pre>{saved}"
     if isinstance(block, TextTable):
         shown = _html_table(block) if block.rows else ""  # a table without printed rows is only saved
-        return shown + _saved([] if block.data is None else [_link_to_csv(block.data)])
+        return shown + _save_links([] if block.data is None else [_link_to_csv(block.data)])
     name = block.data.name if block.data is not None else file_name(block.shows)
-    source = _in_the_page(block.svg, "image/svg+xml")
+    source = _data_address(block.svg, "image/svg+xml")
     links = [_link(source, f"{name}.svg", "the picture (SVG)")]
     if block.data is not None:
         links.append(_link_to_csv(block.data))
@@ -208,9 +208,9 @@ def _html(block: Block) -> str:
     tall = ' class="tall"' if _is_tall(block.svg) else ""
     image = f'<img{tall} alt="{shows}" src="{source}">'
     if block.narrow is not None:
-        narrow = _in_the_page(block.narrow(), "image/svg+xml")
+        narrow = _data_address(block.narrow(), "image/svg+xml")
         image = f'<picture><source media="screen and (max-width:600px)" srcset="{narrow}">{image}</picture>'
-    return f"<figure>{image}<figcaption>{shows}</figcaption>{_saved(links)}</figure>"
+    return f"<figure>{image}<figcaption>{shows}</figcaption>{_save_links(links)}</figure>"
 
 
 def _is_tall(svg: str) -> bool:
@@ -289,7 +289,7 @@ def _markdown(block: Block) -> str:
     if isinstance(block, TextTable):
         lines = [block.headings, ["---", *["---:"] * (len(block.headings) - 1)], *block.rows]
         return "\n".join("| " + " | ".join(_cell(text) for text in line) + " |" for line in lines)
-    return f"![{_plain(block.shows)}]({_in_the_page(block.svg, 'image/svg+xml')})"
+    return f"![{_plain(block.shows)}]({_data_address(block.svg, 'image/svg+xml')})"
 
 
 def file_name(text: str) -> str:
@@ -307,7 +307,7 @@ def _cell(text: str) -> str:
     return _plain(text).replace("|", "\\|")
 
 
-def _linked(text: str) -> str:
+def _link_addresses(text: str) -> str:
     """Return text as HTML, with addresses as links and commands in backticks as code."""
     result, end = [], 0
     for each in _ADDRESS.finditer(text):
@@ -319,7 +319,7 @@ def _linked(text: str) -> str:
     return re.sub("`([^`<]+)`", r"<code>\1</code>", "".join(result) + html.escape(text[end:]))
 
 
-def _in_the_page(text: str, kind: str) -> str:
+def _data_address(text: str, kind: str) -> str:
     return f"data:{kind};base64,{base64.b64encode(legible(text, LINES).encode()).decode()}"
 
 
@@ -329,8 +329,8 @@ def _link(address: str, name: str, what: str) -> str:
 
 
 def _link_to_csv(data: Data) -> str:
-    return _link(_in_the_page(data.as_csv(), "text/csv"), f"{data.name}.csv", "the data (CSV)")
+    return _link(_data_address(data.as_csv(), "text/csv"), f"{data.name}.csv", "the data (CSV)")
 
 
-def _saved(links: Sequence[str]) -> str:
+def _save_links(links: Sequence[str]) -> str:
     return f'<p class="save">Save {" or ".join(links)}</p>' if links else ""

@@ -44,14 +44,14 @@ def draw(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figu
 
 def draw_narrow(picture: Picture, shown_units: Mapping[str, str] | None = None) -> Figure:
     """Return a picture for a phone screen, with its panels below each other; otherwise as :func:`draw`."""
-    return _draw(_stacked(picture.in_units(shown_units) if shown_units else picture), NARROW)
+    return _draw(_stack_panels(picture.in_units(shown_units) if shown_units else picture), NARROW)
 
 
 def _height(picture: Picture) -> float:
     return picture.height or ROW_HEIGHT * len(picture.rows) + 0.4
 
 
-def _stacked(picture: Picture) -> Picture:
+def _stack_panels(picture: Picture) -> Picture:
     """Return a picture with one panel per row; panels keep their height, or with equal scales their aspect ratio."""
     columns = max(len(row) for row in picture.rows)
     shares = picture.heights or [1.0] * len(picture.rows)
@@ -184,10 +184,10 @@ def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
     """Yield x, y, low, high and value of every point of a mark, in the units of the axes."""
     along_x = mark.x0 is not None
     parts = [
-        _drawn(mark.x, panel.x), _drawn(mark.y, panel.y),
-        *(_drawn(each, panel.x if along_x else panel.y) for each in
+        _scale(mark.x, panel.x), _scale(mark.y, panel.y),
+        *(_scale(each, panel.x if along_x else panel.y) for each in
           ((mark.x0, mark.x1) if along_x else (mark.y0, mark.y1))),
-        None if mark.values is None else _drawn(mark.values, panel.values or Axis()),
+        None if mark.values is None else _scale(mark.values, panel.values or Axis()),
     ]  # fmt: skip
     if mark.kind == "contour":
         x, y = np.meshgrid(parts[0], parts[1])
@@ -198,7 +198,8 @@ def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
         yield [None if each is None or index >= each.size else each[index].item() for each in arrays]
 
 
-def _drawn(values: Any, axis: Axis) -> Any:
+def _scale(values: Any, axis: Axis) -> Any:
+    """Convert SI values to the unit in which an axis is drawn."""
     if values is None:
         return None
     array = np.asarray(values, dtype=float)
@@ -229,7 +230,7 @@ def _set_axis(axes: Axes, axis: Axis, name: str) -> None:
     if axis.logarithmic:
         getattr(axes, f"set_{name}scale")("log")
     getattr(axes, f"set_{name}label")(axis.heading)
-    low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
+    low, high = (None if each is None else float(_scale(each, axis)) for each in axis.limits)
     if low is not None or high is not None:
         getattr(axes, f"set_{name}lim")(low, high)
     if axis.names is not None:
@@ -304,15 +305,15 @@ def _point_look(mark: Mark) -> dict[str, Any]:
 
 
 def _line(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.plot(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), label=mark.label or None, **_line_look(mark))
+    axes.plot(_scale(mark.x, panel.x), _scale(mark.y, panel.y), label=mark.label or None, **_line_look(mark))
 
 
 def _draw_points(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     if mark.values is not None:
         extent = _extent(mark, panel)
         shown = axes.scatter(
-            x, y, c=_drawn(mark.values, panel.values or Axis()), s=mark.size or 9.0, linewidths=0, **extent
+            x, y, c=_scale(mark.values, panel.values or Axis()), s=mark.size or 9.0, linewidths=0, **extent
         )
         floor["coloured"] = shown
         return
@@ -322,46 +323,46 @@ def _draw_points(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) ->
 
 
 def _bars(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    y = _drawn(mark.y, panel.y)
-    left = 0.0 if mark.x0 is None else _drawn(mark.x0, panel.x)
+    y = _scale(mark.y, panel.y)
+    left = 0.0 if mark.x0 is None else _scale(mark.x0, panel.x)
     height = mark.size or 0.7
-    bars = axes.barh(y, _drawn(mark.x, panel.x) - left, left=left, height=height, color=_colour(mark),
+    bars = axes.barh(y, _scale(mark.x, panel.x) - left, left=left, height=height, color=_colour(mark),
                      alpha=0.6 if mark.faint else 1.0, linewidth=0.0, label=mark.label or None)  # fmt: skip
     if mark.texts:
         axes.bar_label(bars, mark.texts, padding=2.0, fontsize=7.0)
 
 
 def _intervals(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     errors: dict[str, Any] = {}
     for name, centre, low, high, axis in (
         ("xerr", x, mark.x0, mark.x1, panel.x), ("yerr", y, mark.y0, mark.y1, panel.y),
     ):  # fmt: skip
         if low is not None:
-            errors[name] = np.abs([centre - _drawn(low, axis), _drawn(high, axis) - centre])
+            errors[name] = np.abs([centre - _scale(low, axis), _scale(high, axis) - centre])
     appearance = _point_look(mark) if mark.symbol else {"fmt": "none", "ecolor": _colour(mark)}
     axes.errorbar(x, y, capsize=2.0, elinewidth=0.8, label=mark.label or None, **appearance, **errors)
 
 
 def _band(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.fill_between(_drawn(mark.x, panel.x), _drawn(mark.y0, panel.y), _drawn(mark.y1, panel.y), color=_colour(mark),
+    axes.fill_between(_scale(mark.x, panel.x), _scale(mark.y0, panel.y), _scale(mark.y1, panel.y), color=_colour(mark),
                       alpha=0.25, linewidth=0.0, label=mark.label or None)  # fmt: skip
 
 
 def _area(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.fill(_drawn(mark.x, panel.x), _drawn(mark.y, panel.y), color=_colour(mark), alpha=0.3 if mark.faint else 0.75,
+    axes.fill(_scale(mark.x, panel.x), _scale(mark.y, panel.y), color=_colour(mark), alpha=0.3 if mark.faint else 0.75,
               linewidth=0.0, label=mark.label or None)  # fmt: skip
 
 
 def _stack(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     below = floor.get("stack", np.zeros_like(y))
     axes.fill_between(x, below, below + y, color=_colour(mark), alpha=0.75, linewidth=0.0, label=mark.label or None)
     floor["stack"] = below + y
 
 
 def _steps(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.stairs(_drawn(mark.y, panel.y), _drawn(mark.x, panel.x), fill=True, color=_colour(mark), alpha=0.6,
+    axes.stairs(_scale(mark.y, panel.y), _scale(mark.x, panel.x), fill=True, color=_colour(mark), alpha=0.6,
                 label=mark.label or None)  # fmt: skip
 
 
@@ -372,13 +373,13 @@ def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> Non
         low, high = low - 0.5, high + 0.5
     levels = MaxNLocator(11).tick_values(low, high)
     extent = _extent(mark, panel, (levels[0], levels[-1]))
-    values = np.ma.masked_invalid(np.clip(_drawn(mark.values, panel.values or Axis()), levels[0], levels[-1]))
-    x, y = _drawn(mark.x, panel.x), _drawn(mark.y, panel.y)
+    values = np.ma.masked_invalid(np.clip(_scale(mark.values, panel.values or Axis()), levels[0], levels[-1]))
+    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     shown = axes.contourf(x, y, values, levels=levels, **extent)
     lines = axes.contour(x, y, values, levels=levels[1:-1], colors="0.15", linewidths=0.4)
     if mark.within is not None:
         corners = np.asarray(mark.within)
-        points = np.column_stack([_drawn(corners[:, 0], panel.x), _drawn(corners[:, 1], panel.y)])
+        points = np.column_stack([_scale(corners[:, 0], panel.x), _scale(corners[:, 1], panel.y)])
         cut = Polygon(points, facecolor="none", edgecolor="none", transform=axes.transData)
         axes.add_patch(cut)
         for each in (shown, lines):
@@ -387,13 +388,13 @@ def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> Non
 
 
 def _cells(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    corners = np.stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)], axis=-1)
+    corners = np.stack([_scale(mark.x, panel.x), _scale(mark.y, panel.y)], axis=-1)
     if mark.values is None:
         shown = PolyCollection(list(corners), facecolors=_colour(mark), edgecolors="0.35", linewidths=0.25)
         axes.add_collection(shown)
     else:
         extent = _extent(mark, panel)
-        shown = PolyCollection(list(corners), array=np.ravel(_drawn(mark.values, panel.values or Axis())),
+        shown = PolyCollection(list(corners), array=np.ravel(_scale(mark.values, panel.values or Axis())),
                                cmap=extent["cmap"], edgecolors="0.35", linewidths=0.25)  # fmt: skip
         shown.set_clim(extent["vmin"], extent["vmax"])
         axes.add_collection(shown)
@@ -402,7 +403,7 @@ def _cells(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
 
 
 def _outline(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    points = np.column_stack([_drawn(mark.x, panel.x), _drawn(mark.y, panel.y)])
+    points = np.column_stack([_scale(mark.x, panel.x), _scale(mark.y, panel.y)])
     shape = {key: each for key, each in _line_look(mark).items() if key != "color"}
     axes.add_patch(Polygon(points, fill=False, edgecolor=_colour(mark), label=mark.label or None, **shape))
     axes.autoscale_view()
@@ -415,14 +416,14 @@ def _rule(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
         "linestyle": DASHES[mark.dash or 0],
         "zorder": 1,
     }
-    for each in np.atleast_1d(_drawn(mark.x, panel.x)) if mark.x is not None else ():
+    for each in np.atleast_1d(_scale(mark.x, panel.x)) if mark.x is not None else ():
         axes.axvline(float(each), **appearance)
-    for each in np.atleast_1d(_drawn(mark.y, panel.y)) if mark.y is not None else ():
+    for each in np.atleast_1d(_scale(mark.y, panel.y)) if mark.y is not None else ():
         axes.axhline(float(each), **appearance)
 
 
 def _slope(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    place = float(_drawn(mark.x, panel.x)), float(_drawn(mark.y, panel.y))
+    place = float(_scale(mark.x, panel.x)), float(_scale(mark.y, panel.y))
     axes.axline(place, slope=float(mark.values), color=_colour(mark), linewidth=0.8, linestyle=DASHES[mark.dash or 0])
 
 
@@ -434,21 +435,21 @@ def _text(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
                   fontsize=mark.size or 7.5)  # fmt: skip
         return
     for at, up, words in zip(
-        np.ravel(_drawn(mark.x, panel.x)), np.ravel(_drawn(mark.y, panel.y)), mark.texts, strict=True
+        np.ravel(_scale(mark.x, panel.x)), np.ravel(_scale(mark.y, panel.y)), mark.texts, strict=True
     ):
         axes.text(float(at), float(up), words, ha="center", va="center", color=_colour(mark), fontsize=mark.size or 7.0)
 
 
 def _shade(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    ends = (float(_drawn(each, panel.x)) for each in (mark.x0, mark.x1))
+    ends = (float(_scale(each, panel.x)) for each in (mark.x0, mark.x1))
     axes.axvspan(*ends, color="0.80", zorder=0, linewidth=0.0)
 
 
 def _ends(mark: Mark, panel: Panel) -> tuple[float, float]:
     """Return the smallest and the largest value of a mark, unless its value axis has limits."""
     axis = panel.values or Axis()
-    values = np.asarray(_drawn(mark.values, axis))
-    low, high = (None if each is None else float(_drawn(each, axis)) for each in axis.limits)
+    values = np.asarray(_scale(mark.values, axis))
+    low, high = (None if each is None else float(_scale(each, axis)) for each in axis.limits)
     finite = values[np.isfinite(values)]
     low = low if low is not None else float(finite.min(initial=np.inf) if finite.size else 0.0)
     return low, high if high is not None else float(finite.max(initial=-np.inf) if finite.size else 1.0)

@@ -199,7 +199,7 @@ def provenance_blocks(provenance: Provenance) -> Iterator[Block]:
     if provenance.inputs:
         rows = list(provenance.inputs.items())
         yield TextTable(("input", "value"), rows, Data("inputs", ("input", "value"), rows))
-    yield Paragraph(tuple(_computed(provenance)))
+    yield Paragraph(tuple(_computation_sentences(provenance)))
     named = " ".join([*provenance.sources, *provenance.inputs.values()])
     if sources := [*provenance.sources, *(work for short, work in WORKS.items() if re.search(short, named))]:
         yield Heading(3, "Sources")
@@ -209,7 +209,7 @@ def provenance_blocks(provenance: Provenance) -> Iterator[Block]:
         yield Bullets(provenance.caveats)
 
 
-def _computed(provenance: Provenance) -> Iterator[str]:
+def _computation_sentences(provenance: Provenance) -> Iterator[str]:
     for each in provenance.computations:
         head = f"{each.club}, left-handed," if each.hand == "left" else each.club
         yield (f"Club {head} and ball {each.ball}, by the model {each.model} with the parameters {each.parameters}.")

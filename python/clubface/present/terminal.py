@@ -53,23 +53,23 @@ def as_text(
     """
     parts = []
     if result.assumptions:
-        parts.append([line for each in result.assumptions for line in _wrapped(each.sentence, width)])
+        parts.append([line for each in result.assumptions for line in _wrap_text(each.sentence, width)])
     values = values_of(result.values, units)
     if values:
         parts.append(_list_lines(result.title, values, width, emphasis))
     printed = [each for each in result.tables if each.printed and len(each)]
     if result.lead:
-        parts.append([_bold(line, emphasis) for line in _wrapped(result.title, width)] * (not values))
-        parts[-1] += [line for each in result.lead for line in _wrapped(in_a_line(each.sentence), width)]
+        parts.append([_bold(line, emphasis) for line in _wrap_text(result.title, width)] * (not values))
+        parts[-1] += [line for each in result.lead for line in _wrap_text(in_a_line(each.sentence), width)]
     elif not values and printed and not printed[0].title:
         printed[0] = replace(printed[0], title=result.title)
     if not values and not result.lead and result.title not in [each.title for each in printed]:
-        parts.append([_bold(line, emphasis) for line in _wrapped(result.title, width)])
+        parts.append([_bold(line, emphasis) for line in _wrap_text(result.title, width)])
     parts += [_table_lines(each, units, width, emphasis) for each in printed]
     if notes := note_lines(result.notes, width):
         parts.append(notes)
     if result.hints:
-        parts.append([line for each in result.hints for line in _wrapped(each.sentence, width)])
+        parts.append([line for each in result.hints for line in _wrap_text(each.sentence, width)])
     parts += [as_text(each, units, width, emphasis=emphasis).split("\n") for each in result.parts]
     return "\n\n".join("\n".join(each) for each in parts)
 
@@ -78,7 +78,7 @@ def note_lines(notes: Sequence[Note], width: int | None = None) -> list[str]:
     """Return notes as bulleted lines, each sentence once."""
     lines = []
     for sentence in dict.fromkeys(each.sentence for each in notes):
-        lines += _wrapped(in_a_line(sentence), width, "* ", "  ")
+        lines += _wrap_text(in_a_line(sentence), width, "* ", "  ")
     return lines
 
 
@@ -192,13 +192,13 @@ def lay_out(
         sides = [index in left for index in columns]
         lines += [
             _bold(line, emphasis)
-            for line in _aligned([heads[index] for index in columns], sizes, gap, sides, top=False)
+            for line in _align_row([heads[index] for index in columns], sizes, gap, sides, top=False)
         ]
         lines.append(rule)
         for position, row in enumerate(body):
             if summary and position == len(body) - 1:
                 lines.append(rule)
-            lines += _aligned([row[index] for index in columns], sizes, gap, sides, top=True)
+            lines += _align_row([row[index] for index in columns], sizes, gap, sides, top=True)
         if columns is not blocks[-1]:
             lines.append("")
     return lines
@@ -252,7 +252,7 @@ def _wrap_words(
     return rows[0], rows[1:]
 
 
-def _aligned(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequence[bool], *, top: bool) -> list[str]:
+def _align_row(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequence[bool], *, top: bool) -> list[str]:
     """Return the lines of a row; text is aligned to the left, numbers to the right."""
     split = [cell.split("\n") for cell in cells]
     height = max(map(len, split))
@@ -282,7 +282,7 @@ def _blocks(widths: Sequence[int], gap: int, available: int) -> list[list[int]]:
     return blocks
 
 
-def _wrapped(text: str, width: int | None, first: str = "", rest: str = "") -> list[str]:
+def _wrap_text(text: str, width: int | None, first: str = "", rest: str = "") -> list[str]:
     return textwrap.wrap(
         legible(text, LINES), min(width or WIDEST, WIDEST), initial_indent=first, subsequent_indent=rest
     )

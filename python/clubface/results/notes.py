@@ -106,13 +106,13 @@ class _Sentence(Formatter):
     def format_field(self, value: Any, format_spec: str) -> str:
         name, given = value
         if isinstance(given, Mapping):
-            return _listed(given, format_spec)
+            return _list_entries(given, format_spec)
         if isinstance(given, (list, tuple)) and format_spec.startswith("?"):
             given = len(given)
         if isinstance(given, (list, tuple)) and format_spec == "labels":
-            return _joined([_label(str(each)) for each in given], "and")
+            return _join_texts([_label(str(each)) for each in given], "and")
         if isinstance(given, (list, tuple)):
-            return _joined([str(each) for each in given], format_spec)
+            return _join_texts([str(each) for each in given], format_spec)
         if given is None or isinstance(given, (str, bool)):
             return "" if given is None else str(given)
         if format_spec.startswith("n "):
@@ -178,10 +178,10 @@ def _is_zero(text: str) -> bool:
     return not text.split(" ")[0].strip("-0.%")
 
 
-def _listed(values: Mapping[str, Any], spec: str) -> str:
+def _list_entries(values: Mapping[str, Any], spec: str) -> str:
     """Return the entries of a mapping as a list in words; ``spec`` is their format."""
     if spec not in ("changes", "values"):
-        return _joined(list(map(entry_text, values, values.values())), spec)
+        return _join_texts(list(map(entry_text, values, values.values())), spec)
     texts = []
     for name, value in values.items():
         quantity = quantity_named(name)
@@ -190,7 +190,7 @@ def _listed(values: Mapping[str, Any], spec: str) -> str:
             texts.append(text)
         elif not _is_zero(text):
             texts.append(f"{quantity.label} {text if text.startswith('-') else f'+{text}'}")
-    return _joined(texts, "and") or "nothing to speak of"
+    return _join_texts(texts, "and") or "nothing to speak of"
 
 
 def _metric(name: str, value: Any) -> tuple[str, Any]:
@@ -208,7 +208,7 @@ def _metric(name: str, value: Any) -> tuple[str, Any]:
     return name, list(value) if isinstance(value, tuple) else value
 
 
-def _joined(texts: Sequence[str], word: str) -> str:
+def _join_texts(texts: Sequence[str], word: str) -> str:
     if word == "ranges":
         texts, word = _ranges([*map(int, texts)]), str(MOST_RANGES)
     if word.isdigit():

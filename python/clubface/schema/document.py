@@ -160,14 +160,14 @@ class Document:
             self.data: dict[str, Any] = tomllib.loads(text)
         except (ValueError, RecursionError) as error:
             message = NESTED if isinstance(error, RecursionError) else str(error)
-            line = _line_in(message)
+            line = _line_number(message)
             if "int_max_str_digits" in message:
                 message = "a whole number has thousands of digits"
             elif message.startswith(TWICE):
                 message = "the key or table of this line is defined twice"
-            raise FileError(path, line, f"this is not TOML: {message}{self._unquoted(line)}") from None
+            raise FileError(path, line, f"this is not TOML: {message}{self._quoting_advice(line)}") from None
         for key, value in self.data.items():
-            if flaw := _flaw_of(value):
+            if flaw := _find_flaw(value):
                 raise FileError(path, self.line_of((key,)), f"{key} holds {flaw}", key)
 
     @classmethod
@@ -181,7 +181,7 @@ class Document:
             raise FileError(name, line, "this is not UTF-8 text") from None
         return cls(text, name)
 
-    def _unquoted(self, number: int | None) -> str:
+    def _quoting_advice(self, number: int | None) -> str:
         """Return advice for the key of a line if TOML accepts it only in quotes."""
         line = self._lines[number - 1] if number is not None and number <= len(self._lines) else ""
         key, equals, _ = (part.strip() for part in line.partition("="))
@@ -230,10 +230,10 @@ def _check_depth(text: str, path: str) -> None:
                 raise FileError(path, line, f"this is not TOML of clubface: {NESTED}")
 
 
-def _flaw_of(value: Any) -> str:
+def _find_flaw(value: Any) -> str:
     """Return the reason why a value cannot be used, or ""."""
     if isinstance(value, dict | list):
-        return next(filter(None, map(_flaw_of, value.values() if isinstance(value, dict) else value)), "")
+        return next(filter(None, map(_find_flaw, value.values() if isinstance(value, dict) else value)), "")
     if isinstance(value, int) and value not in INTEGERS:
         return "a whole number of more than 64 bits, which TOML does not allow"
     return ""
@@ -245,7 +245,7 @@ def quoted(text: str) -> str:
     return f'"{legible(escaped)}"'
 
 
-def _line_in(message: str) -> int | None:
+def _line_number(message: str) -> int | None:
     """Return the line number in tomllib's "... (at line 3, column 5)"."""
     _, marker, rest = message.partition("at line ")
     digits = rest.split(",")[0]

@@ -235,7 +235,7 @@ class ArrayFunctions(ABC, Generic[Array]):
         x, y, z = map(self._as_array, head.cg_to_face)
         return Head((x, y, z), *map(self._as_array, head[1:])), offset
 
-    def _arrays_among(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def _select_arrays(self, values: Mapping[str, Any]) -> dict[str, Any]:
         return {name: value for name, value in values.items() if self._is_array(value)}
 
     def _launch_function(
@@ -250,9 +250,9 @@ class ArrayFunctions(ABC, Generic[Array]):
         given = {name: value for name, value in as_values(delivery, values).items() if value is not None}
         if "loft" not in given and self._is_array(given.get("static_loft")):
             given["loft"] = given["static_loft"]
-        arrays = self._arrays_among(given)
+        arrays = self._select_arrays(given)
         if isinstance(parameters, Mapping):
-            of_model = self._arrays_among(parameters)
+            of_model = self._select_arrays(parameters)
             parameters = {name: value for name, value in parameters.items() if name not in of_model} or None
             arrays |= of_model
         rest = {name: value for name, value in given.items() if name not in arrays}
@@ -276,7 +276,7 @@ class ArrayFunctions(ABC, Generic[Array]):
             given = {
                 name: value for name, value in given.items() if name in flight_inputs() or name not in launch_outputs()
             }
-        elif self._arrays_among(given):
+        elif self._select_arrays(given):
             given = self._vectors(given)
         if wind is not None and not isinstance(wind, Mapping) and len(wind) == len(AXES):
             wind = {f"wind_{axis}": wind[place] for place, axis in enumerate(AXES)}
@@ -284,11 +284,11 @@ class ArrayFunctions(ABC, Generic[Array]):
         surroundings: dict[str, Any] = {}
         for group, values in groups.items():
             if isinstance(values, Mapping):
-                arrays = self._arrays_among(values)
+                arrays = self._select_arrays(values)
                 check_names(f"array of the {group}", arrays, flight_inputs())
                 surroundings |= arrays
                 groups[group] = {name: value for name, value in values.items() if name not in arrays}
-        arrays = self._arrays_among(given) | surroundings
+        arrays = self._select_arrays(given) | surroundings
         rest = {name: 0.0 if name in arrays else value for name, value in given.items()}
         inputs_of_flight = {name: each.default for name, each in flight_inputs().items()} | ball_named(ball).inputs()
         inputs_of_flight |= vectors(rest) | conditions(groups["air"], groups["wind"], groups["ground"])

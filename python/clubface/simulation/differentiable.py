@@ -87,14 +87,14 @@ class Differentiable(ABC):
 
     def values(self, x: NDArray[Any]) -> NDArray[Any]:
         """Return the outputs [SI], shape (..., outputs), for variables [SI], shape (..., variables)."""
-        columns, shape = self._laid_out(x)
+        columns, shape = self._core_columns(x)
         computed, problems = self._compute(columns, math.prod(shape))
         self._check(problems, columns, shape, self._on_error)
         return np.moveaxis(computed[self.rows].reshape(-1, *shape), 0, -1)
 
     def values_and_jacobian(self, x: NDArray[Any], *, on_error: str = "") -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the outputs and their derivatives, shape (..., outputs, variables)."""
-        columns, shape = self._laid_out(x)
+        columns, shape = self._core_columns(x)
         computed, problems = self._differentiate(columns, math.prod(shape))
         self._check(problems, columns, shape, on_error or self._on_error)
         table = computed.reshape(len(self.rows), 1 + len(self.places), *shape)
@@ -119,7 +119,7 @@ class Differentiable(ABC):
         differences = np.moveaxis(np.tensordot(weights, jacobian, 1), 0, -1) / step[..., None, None, :]
         return 0.5 * (differences + np.swapaxes(differences, -1, -2))
 
-    def _laid_out(self, x: NDArray[Any]) -> tuple[list[Any], tuple[int, ...]]:
+    def _core_columns(self, x: NDArray[Any]) -> tuple[list[Any], tuple[int, ...]]:
         """Return the columns for the core, flat arrays or single numbers, and the shape of the batch."""
         x = np.asarray(x, dtype=np.float64)
         shape = np.broadcast_shapes(x.shape[:-1], self.shape)
@@ -195,7 +195,7 @@ class LaunchFunction(Differentiable):
             elif self.accuracy is None or self.accuracy > CONTACT_ACCURACY:
                 once = f"give accuracy={CONTACT_ACCURACY:g} or less, which second derivatives of {model} need"
         super().__init__(
-            {name: known[name] for name in variables}, _rows(outputs, rows), fixed, thread_count(threads), on_error,
+            {name: known[name] for name in variables}, _rows_of(outputs, rows), fixed, thread_count(threads), on_error,
             step, once,
         )  # fmt: skip
 
@@ -227,7 +227,7 @@ class FlightFunction(Differentiable):
         self._names = tuple(known)
         variables = tuple(variables)
         check_names("variable", variables, known)
-        wanted = _rows(outputs, {name: row for row, name in enumerate(flight_outputs())})
+        wanted = _rows_of(outputs, {name: row for row, name in enumerate(flight_outputs())})
         rough = [name for name in wanted if name in ROUGH]
         once = f"leave {', '.join(rough)} out of the outputs: bounces make steps in them" if rough else ""
         super().__init__(
@@ -242,7 +242,7 @@ class FlightFunction(Differentiable):
         return core.fly_sensitivities(columns, count, self.rows, self.places, self._threads, None)
 
 
-def _rows(names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:
+def _rows_of(names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str, int]:
     names = list(known) if names is None else [names] if isinstance(names, str) else list(names)
     check_names("output", names, known)
     return {name: known[name] for name in names}

@@ -365,7 +365,7 @@ def explanation_picture(explanation: Explanation) -> Picture:
     launch, flight = explanation.launch, explanation.flight
     path = trajectory(launch, **explanation.conditions).position
     views, heights = flight_views({"flight": path}, styles={"flight": _FLIGHT})
-    above, height = _with_directions(views[1], heights[1], explanation, path)
+    above, height = _directions_panel(views[1], heights[1], explanation, path)
     rows: list[list[Panel | None]] = [[above], [_at_impact(launch), _tilted_ball(launch), _face(explanation)]]
     sizes = [height, 2.1]
     for names, place in ((("low", "middle", "high"), 0), (("heel", "middle", "toe"), 1)):
@@ -397,29 +397,29 @@ _LABELS: dict[str | int, str] = {
 def _strike_words(name: str, struck: WhatIf, place: int, *, first: bool) -> str:
     launch, flight = struck.launch, struck.flight
     if place == 0:
-        spin, carry = _words("backspin", launch.backspin), _words("carry", flight.carry, "0")
-        return f"{name}: {'launch ' * first}{_words('launch', launch.launch)}, {spin}, {'carry ' * first}{carry}"
-    start, bend = _words("azimuth", launch.azimuth, "sides"), _words("curve", flight.curve, "sides 0")
+        spin, carry = _value_text("backspin", launch.backspin), _value_text("carry", flight.carry, "0")
+        return f"{name}: {'launch ' * first}{_value_text('launch', launch.launch)}, {spin}, {'carry ' * first}{carry}"
+    start, bend = _value_text("azimuth", launch.azimuth, "sides"), _value_text("curve", flight.curve, "sides 0")
     return f"{name}: {'starts ' * first}{start}, {'curves ' * first}{bend}"
 
 
-def _words(name: str, value: float, spec: str = "") -> str:
+def _value_text(name: str, value: float, spec: str = "") -> str:
     return quantity_text(float(value), quantity(name), spec)
 
 
-def _with_directions(panel: Panel, height: float, explanation: Explanation, path: Any) -> tuple[Panel, float]:
+def _directions_panel(panel: Panel, height: float, explanation: Explanation, path: Any) -> tuple[Panel, float]:
     """Return the flight from above with path, face, start and curve, and the height of the panel."""
     launch, flight = explanation.launch, explanation.flight
     marks = [each for each in panel.marks if each.kind == "rule"]
-    lands = f"flight, lands {_words('side', flight.side, 'sides 0')}"
+    lands = f"flight, lands {_value_text('side', flight.side, 'sides 0')}"
     marks.append(Mark("line", path[:, 0], path[:, 2], style=_FLIGHT, label=lands))
     start, landing = float(launch.azimuth), path[-1, [0, 2]]
     way = np.array([np.cos(start), np.sin(start)])
     foot = way * float(way @ landing)
     rays = {
-        f"path {_words('path', launch.input('path'), 'sides')}": (float(launch.input("path")), 0.45, _PATH),
-        f"face {_words('face', launch.input('face'), 'sides')}": (float(launch.input("face")), 0.6, _FACE),
-        f"start {_words('azimuth', start, 'sides')}": (start, 1.0, _START),
+        f"path {_value_text('path', launch.input('path'), 'sides')}": (float(launch.input("path")), 0.45, _PATH),
+        f"face {_value_text('face', launch.input('face'), 'sides')}": (float(launch.input("face")), 0.6, _FACE),
+        f"start {_value_text('azimuth', start, 'sides')}": (start, 1.0, _START),
     }
     ends = []
     for label, (angle, share, style) in rays.items():
@@ -428,7 +428,7 @@ def _with_directions(panel: Panel, height: float, explanation: Explanation, path
         ends.append(1.06 * float(end[1]))
     marks.append(
         Mark("line", [foot[0], landing[0]], [foot[1], landing[1]], style=_CURVE, size=2.0, dash=0,
-             label=f"curve {_words('curve', flight.curve, 'sides 0')}")
+             label=f"curve {_value_text('curve', flight.curve, 'sides 0')}")
     )  # fmt: skip
     low, high = (each or 0.0 for each in panel.y.limits)
     limits = (min(low, *ends), max(high, *ends))
@@ -479,7 +479,7 @@ def _tilted_ball(launch: Launch) -> Panel:
     ends = 1.25 * np.array([np.cos(tilt), -np.sin(tilt)])  # to the right, up: tilted right, the right end is down
     lift = np.array([np.sin(tilt), np.cos(tilt)])
     back = 1.0 if launch.backspin >= 0.0 else -1.0
-    axis_words, spin = _words("spin_axis", tilt, "sides"), _words("total_spin", launch.total_spin)
+    axis_words, spin = _value_text("spin_axis", tilt, "sides"), _value_text("total_spin", launch.total_spin)
     marks = [
         Mark("line", [-1.25, 1.25], [0.0, 0.0], style=-1, dash=2, size=0.8),
         Mark("outline", np.cos(turn), np.sin(turn), style=-2),

@@ -399,10 +399,10 @@ def equipped(
             return _usual(model_name, club_or_name, ball_or_name, None)
         except TypeError:
             pass  # not hashable, hence neither a club nor a ball: reported below
-    return _equipped(model_name, club_or_name, ball_or_name, given)
+    return _find_equipment(model_name, club_or_name, ball_or_name, given)
 
 
-def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tuple[Equipment, ParameterSet]:
+def _find_equipment(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tuple[Equipment, ParameterSet]:
     setup = equipment(name, ball_or_name)
     chosen = parameter_set(model_name, setup.club, given, setup.ball)
     if chosen.includes_face:
@@ -411,7 +411,7 @@ def _equipped(model_name: str, name: Any, ball_or_name: Any, given: Any) -> tupl
     return setup, chosen
 
 
-_usual = lru_cache(maxsize=256)(_equipped)
+_usual = lru_cache(maxsize=256)(_find_equipment)
 
 
 def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None = None) -> Shots:
@@ -429,7 +429,7 @@ def shots(setup: Equipment, values: Mapping[str, Any], *, hand: HandLike | None 
         if column is None:
             raise UnknownNameError("input", name, column_of)
         if type(value) is not float:
-            value = _parsed(value, name)
+            value = _parse_input(value, name)
             if type(value) is not float:
                 varied[name] = value
         columns[column] = value
@@ -450,19 +450,19 @@ def hand_value(hand: Any) -> Any:
     if isinstance(hand, str):
         check_choice(_HAND, hand, HANDS)
         return float(HANDS[hand])
-    return _parsed(hand, _HAND)
+    return _parse_input(hand, _HAND)
 
 
-def _parsed(value: Any, name: str) -> Any:
+def _parse_input(value: Any, name: str) -> Any:
     """Convert a value to a float or a float64 array [SI]; text is converted from its unit."""
     if isinstance(value, str):
-        return _parsed_text(value, name)
+        return _parse_text(value, name)
     value = parse_values(value, input_dimensions()[name], name=name)
     return value if isinstance(value, float) or value.ndim else float(value)
 
 
 @lru_cache(maxsize=1024)
-def _parsed_text(value: str, name: str) -> float:
+def _parse_text(value: str, name: str) -> float:
     flat = value == FLAT and name in ("bulge", "roll")
     return math.inf if flat else float(parse_values(value, input_dimensions()[name], name=name))
 
@@ -507,7 +507,7 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
     ``given`` may be a :class:`ParameterSet`, the name of a published set, the path of a TOML file, or a mapping of
     values that replace those of the published set.
     """
-    chosen = _chosen(model_name, of_club.parameters, given)
+    chosen = _given_set(model_name, of_club.parameters, given)
     if of_ball is None:
         return chosen
     # Values that belong to the ball: its own for the model, and its friction unless fitted to shots.
@@ -518,13 +518,13 @@ def parameter_set(model_name: str, of_club: Club, given: Any, of_ball: Ball | No
 
 def forget_parameters() -> None:
     """Clear the caches of parameters after those of a model have changed."""
-    _published.cache_clear()
+    _published_set.cache_clear()
     _usual.cache_clear()
 
 
-def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
+def _given_set(model_name: str, family: str, given: Any) -> ParameterSet:
     if given is None:
-        return _published(model_name, family)
+        return _published_set(model_name, family)
     if isinstance(given, ParameterSet):
         if given.model != model_name:
             raise InputError("parameters", Wording(f"a set of {given.model}"), f"a set of {model_name}")
@@ -532,7 +532,7 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
     if isinstance(given, Mapping):
         for name in given:
             model(model_name).parameter(name)
-        return _published(model_name, family).replace(**given)
+        return _published_set(model_name, family).replace(**given)
     if is_path(given) and given not in {each.name for each in builtin_sets(model_name)}:
         return ParameterSet.from_toml(given, model=model_name, club=family)
     if isinstance(given, str):
@@ -541,7 +541,7 @@ def _chosen(model_name: str, family: str, given: Any) -> ParameterSet:
 
 
 @lru_cache(maxsize=64)
-def _published(model_name: str, family: str) -> ParameterSet:
+def _published_set(model_name: str, family: str) -> ParameterSet:
     model(model_name)
     return ParameterSet.builtin(model_name, family)
 

@@ -120,14 +120,14 @@ def impact_at_launch(
 
     def directions(angles: Floats, places: NDArray[np.intp]) -> Floats:
         solved[: len(angles), places] = angles
-        result = strike([_shaped(each, shape) for each in solved])
+        result = strike([_reshape(each, shape) for each in solved])
         out = [result.launch] if azimuth is None else [result.launch, result.azimuth]
         return np.array([np.reshape(each, size)[places] for each in out])
 
     resolution = RESOLUTION if model in models() else COARSE_RESOLUTION
     begin[: len(target)] = solve_angles(directions, begin[: len(target)], target, resolution)
     begin[:, ~np.isfinite(begin).all(axis=0)] = np.nan
-    angles = [_shaped(each, shape) for each in begin]
+    angles = [_reshape(each, shape) for each in begin]
     same = np.array_equal(np.stack(angles), np.stack(last["angles"]), equal_nan=True)
     result = last["launch"] if same else strike(angles)
     warn_if_outside((result,))
@@ -195,6 +195,6 @@ def _angle(value: Any, name: str) -> Floats:
     return np.asarray(units.parse_values(value, "angle", name=name), dtype=float)
 
 
-def _shaped(values: Floats, shape: tuple[int, ...]) -> Any:
+def _reshape(values: Floats, shape: tuple[int, ...]) -> Any:
     """Reshape flat values to the shape of the shots; return a number for a single shot."""
     return values.reshape(shape) if shape else float(values[0])

@@ -182,7 +182,7 @@ class SteppedContact:
         parameters: Parameters | None = None,
         hand: HandLike | None = None,
     ) -> None:
-        given, self._error = _prepared(model, club, ball, parameters, hand)
+        given, self._error = _prepare_shot(model, club, ball, parameters, hand)
         self._held = _call(core.ContactHandle, self._error, *given, head_values(head), ball_values(ball_motion))
         self.names = tuple(self._held.names)
         self.initial = self._held.initial
@@ -257,7 +257,7 @@ class StruckBall:
         angular_velocity: ArrayLike = (0.0, 0.0, 0.0),
         head_gives_way: bool = True,
     ) -> None:
-        given, self._error = _prepared(model, club, ball, parameters, hand)
+        given, self._error = _prepare_shot(model, club, ball, parameters, hand)
         start = ball_values(BallMotion(position, velocity, angular_velocity))
         self._held = _call(core.BallHandle, self._error, *given, start, bool(head_gives_way))
 
@@ -285,7 +285,7 @@ class StruckBall:
         return None if values is None else dict(zip(outputs(), values, strict=True))
 
 
-def _prepared(
+def _prepare_shot(
     model: str, club: Any, ball: Any, parameters: Any, hand: Any
 ) -> tuple[tuple[str, list[float], list[float]], Callable[[ValueError], Exception]]:
     """Return model, inputs and parameters for the core, and the function that translates its errors."""

@@ -295,7 +295,7 @@ class OwnLaw:
         if not all(map(math.isfinite, touch)):
             return (math.nan,) * (3 + len(states))
         return evaluate_law(
-            self.law, Touch._make(touch), self._named(values), dict(zip(self.states, states, strict=True))
+            self.law, Touch._make(touch), self._parameters_by_name(values), dict(zip(self.states, states, strict=True))
         )
 
     def _call_with_derivatives(self, touch: Any, values: Any, states: Any) -> list[float]:
@@ -308,7 +308,7 @@ class OwnLaw:
             return [math.nan] * ((3 + len(states)) * (1 + DIRECTIONS))
         now = dict(zip(self.states, states, strict=True))
         try:
-            given = (Touch._make(touch), self._named(values), *([now] if now else []))
+            given = (Touch._make(touch), self._parameters_by_name(values), *([now] if now else []))
             returned = flatten_results(self.law(*given), now)
         except (AttributeError, TypeError) as error:
             raise RunError(
@@ -322,7 +322,7 @@ class OwnLaw:
         results = (dual_of(each, DIRECTIONS) for each in returned)
         return [number for each in results for number in (each.value, *each.tangent.tolist())]
 
-    def _named(self, values: Any) -> dict[str, Any]:
+    def _parameters_by_name(self, values: Any) -> dict[str, Any]:
         return {each.name: value for each, value in zip(self.model.parameters, values, strict=True)}
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
@@ -388,7 +388,9 @@ class OwnLaw:
         fault = problems[0][1:] if problems else _fault(given)
         if fault is not None:
             raise ValueError(*fault)
-        bodies = TwoBodies(dict(zip(inputs(), given, strict=True)), self.law, self._named(parameters), self.states)
+        bodies = TwoBodies(
+            dict(zip(inputs(), given, strict=True)), self.law, self._parameters_by_name(parameters), self.states
+        )
         try:
             solution = bodies.run(accuracy or USUAL_TOLERANCE)
         except UnfinishedContactError as error:

@@ -62,7 +62,7 @@ def flight_conditions(
 def flight_input_words(columns: Mapping[str, ArrayLike]) -> Iterator[tuple[str, str]]:
     """Yield inputs of flights [SI] in words: values or ranges, without those that are 0."""
     for name, values in columns.items():
-        yield from _words_of(name, display_unit(name, flight_inputs()[name].unit), [values])
+        yield from _value_texts(name, display_unit(name, flight_inputs()[name].unit), [values])
 
 
 def equipment_sources(*equipment: Club | Ball) -> Iterator[str]:
@@ -89,10 +89,10 @@ def _wind(values: Mapping[str, Any]) -> str:
 def _deliveries(launches: Sequence[Launch]) -> Iterator[tuple[str, str]]:
     """Yield the values of the deliveries: those that all launches share, and the ranges of the others."""
     for name in launches[0].delivery if launches else ():
-        yield from _words_of(name, quantity(name).reading.unit, [each.input(name) for each in launches])
+        yield from _value_texts(name, quantity(name).reading.unit, [each.input(name) for each in launches])
 
 
-def _words_of(name: str, unit: str, given: Iterable[ArrayLike]) -> Iterator[tuple[str, str]]:
+def _value_texts(name: str, unit: str, given: Iterable[ArrayLike]) -> Iterator[tuple[str, str]]:
     """Yield a name and its value or range in words; nothing if all values are 0."""
     values = np.concatenate([np.ravel(each) for each in given])
     values = values[np.isfinite(values)]

@@ -181,7 +181,7 @@ class Sensitivity(Presentable):
         upper, separator, lower = unit.partition(" per ")
         if not separator:
             raise UnitError("unit", unit, 'of the form "rpm per mm"')
-        over, under = _checked(self._rows[output], upper), _checked(self._columns[variable], lower)
+        over, under = _check_unit(self._rows[output], upper), _check_unit(self._columns[variable], lower)
         return derivative * units.size(under) / units.size(over)
 
     def to_result(self, *, every_variable: bool = False) -> Result:
@@ -346,7 +346,7 @@ def sensitivity(
     if variables is None:
         is_free = equipment(club, ball).club.added_inertia is None and values.keys().isdisjoint(ADDED_NAMES)
         variables = [name for name in known_columns if not (is_free and name in ADDED_NAMES)]
-    across = _chosen("variable", variables, {name: each for name, (_, each) in known_columns.items()})
+    across = _select("variable", variables, {name: each for name, (_, each) in known_columns.items()})
     places = [known_columns[name][0] for name in across]
     size = len(launch_outputs()) * (1 + len(across))
     prepared = prepare(model, club, values, ball, parameters, hand, outputs=size)
@@ -358,7 +358,7 @@ def sensitivity(
     # Outputs that the model does not compute are NaN.
     known_rows = {name: (row, each) for row, (name, each) in enumerate(launch_outputs().items())
                   if np.isfinite(getattr(launch, name)).any()}  # fmt: skip
-    rows = _chosen("output", outputs, known_rows)
+    rows = _select("output", outputs, known_rows)
     batch = Request(
         None, prepared.shots.club, model, prepared.shots.columns, prepared.parameters, math.prod(shape), accuracy,
         cores, progress, on_error,
@@ -370,7 +370,7 @@ def sensitivity(
     column_quantities = {name: known_columns[name][1] for name in across}
     quantities, given = row_quantities | column_quantities, units or {}
     check_names("output or variable", given, quantities)
-    shown = {name: _checked(each, given[name]) if name in given
+    shown = {name: _check_unit(each, given[name]) if name in given
              else _SPEED if each.dimension == "speed" else display_unit(name, each.unit)
              for name, each in quantities.items()}  # fmt: skip
     return Sensitivity(si, row_quantities, column_quantities, shown, launch)
@@ -384,7 +384,7 @@ def known_variables(model: str) -> dict[str, tuple[int, Variable]]:
     return known
 
 
-def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:
+def _select(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) -> Sequence[str]:
     if names is None:
         return list(known)
     try:
@@ -397,7 +397,7 @@ def _chosen(what: str, names: Iterable[str] | None, known: Mapping[str, Any]) ->
     return names
 
 
-def _checked(quantity: Variable, symbol: str) -> str:
+def _check_unit(quantity: Variable, symbol: str) -> str:
     """Return the unit ``symbol``, or raise UnitError if it does not fit ``quantity``."""
     return units.unit(symbol, name=quantity.name, dimension=quantity.dimension).symbol
 

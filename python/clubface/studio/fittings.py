@@ -47,14 +47,14 @@ def fitting_routes(uploads: Uploads, jobs: StudioJobs) -> list[Route]:
         """Start a fitting for the golfer of a file; the body has its options as JSON."""
         upload, asked = uploads.get(request.path_params["file"]), asked_of(await body_of(request, MOST_TEXT))
         fitting = await run_in_threadpool(upload.compute, lambda shots: _fitting(shots, asked))
-        job = jobs.start(lambda job: _result_of(fitting, job))
+        job = jobs.start(lambda job: _compute_result(fitting, job))
         return document(job.describe(), 202, {"location": f"api/jobs/{job.identity}"})
 
     async def start_study(request: Request) -> Response:
         """Start the study in the request's body, a file of ``clubface optimise``."""
         text = (await body_of(request, MOST_TEXT)).decode("utf-8", "replace")
         study = await run_in_threadpool(_study, text)
-        job = jobs.start(lambda job: _result_of(study, job))
+        job = jobs.start(lambda job: _compute_result(study, job))
         return document(job.describe(), 202, {"location": f"api/jobs/{job.identity}"})
 
     async def state(request: Request) -> Response:
@@ -119,7 +119,7 @@ def _study(text: str) -> Fitting | DesignStudy:
             raise FileError("the study", error.line, error.message, error.parameter) from None
 
 
-def _result_of(study: Fitting | DesignStudy, job: StudioJob) -> Result:
+def _compute_result(study: Fitting | DesignStudy, job: StudioJob) -> Result:
     with own_files_only(), without_warnings(RuleWarning), without_warnings(RangeWarning):
         if isinstance(study, Fitting):
             return fit(study, progress=job.progress).to_result()

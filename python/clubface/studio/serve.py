@@ -286,7 +286,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
         **dict.fromkeys(EXPECTED, failed),
         Exception: failed,
     }
-    routes = [Mount("/api", app=_in_units(Router(routes=api))), *site_routes(site)]
+    routes = [Mount("/api", app=_answer_in_units(Router(routes=api))), *site_routes(site)]
 
     def close() -> None:
         jobs.close()
@@ -296,7 +296,7 @@ def make_application(site: Path, token: str, *, studies: Path | None = None, liv
     return Guard(Starlette(routes=routes, exception_handlers=handlers), token, close)
 
 
-def _in_units(application: ASGIApp) -> ASGIApp:
+def _answer_in_units(application: ASGIApp) -> ASGIApp:
     """Wrap an application so that it answers in the units given by ``units`` of a request, by default "golf"."""
 
     async def answer_in_units(scope: Scope, receive: Receive, send: Send) -> None:

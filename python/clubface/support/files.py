@@ -248,7 +248,7 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
     if result.content is not None:
         return io.BytesIO(result.content)
     raw = _Unchanging(result.path)
-    if _sum_of(raw) != result.sha256:
+    if _checksum(raw) != result.sha256:
         raise FileError(result.path, None, CHANGED)
     raw.seek(0)
     return io.BufferedReader(raw, PIECE)
@@ -313,9 +313,9 @@ def _load(name: str, most: int) -> InputFile:
         content = None
         try:
             if file.size > LARGEST_KEPT:
-                sum_ = _sum_of(file)
+                sum_ = _checksum(file)
             else:
-                content = _whole(file, min(most, LARGEST_KEPT))
+                content = _read_whole(file, min(most, LARGEST_KEPT))
                 sum_ = hashlib.sha256(content).hexdigest()
         except OSError as error:
             raise unreadable(name, error) from None
@@ -338,7 +338,7 @@ def _too_large(name: str, most: int) -> FileError:
     return FileError(name, None, f"this file is larger than {most // 1000} kB; it cannot be the right one")
 
 
-def _whole(file: _Unchanging, most: int) -> bytes:
+def _read_whole(file: _Unchanging, most: int) -> bytes:
     """Return the bytes of a file; raise FileError for endless ones, such as some device files."""
     result = file.read(min(file.size, most) + 1)  # in one call, so that only one copy is in memory
     while len(result) <= most and (piece := file.read(PIECE)):
@@ -348,7 +348,7 @@ def _whole(file: _Unchanging, most: int) -> bytes:
     return result
 
 
-def _sum_of(file: _Unchanging) -> str:
+def _checksum(file: _Unchanging) -> str:
     made = hashlib.sha256()
     while piece := file.read(PIECE):
         made.update(piece)

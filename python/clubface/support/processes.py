@@ -107,7 +107,7 @@ class IsolatedProcess:
         except (OSError, struct.error, EOFError, pickle.UnpicklingError):
             if late.is_set():
                 raise IsolatedError(f"it takes longer than {limit:.0f} s") from None
-            raise IsolatedError(f"the library that reads it {_ended(process)}") from None
+            raise IsolatedError(f"the library that reads it {_describe_end(process)}") from None
         finally:
             timer.cancel()
 
@@ -135,7 +135,7 @@ class IsolatedProcess:
             process.wait()
 
 
-def _ended(process: subprocess.Popen[bytes]) -> str:
+def _describe_end(process: subprocess.Popen[bytes]) -> str:
     """Return how a process ended, in words."""
     status = process.wait()
     if status >= 0:

@@ -157,7 +157,7 @@ def evaluate(
     for name in names:
         if progress is not None:
             progress(name)
-        predicted[name], seconds[name] = _timed(lambda model=name: predict(model, given_of), len(taken))
+        predicted[name], seconds[name] = _time_per_shot(lambda model=name: predict(model, given_of), len(taken))
     warn_if_outside(launches.values())
     kept = np.array([row not in failures for row in range(len(taken))], dtype=bool)
     failed = tuple(RejectedRow(int(taken.rows[row]), reason) for row, reason in sorted(failures.items()))
@@ -189,7 +189,7 @@ def evaluate(
     )  # fmt: skip
 
 
-def _timed(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[str, Floats], float]:
+def _time_per_shot(compute: Callable[[], dict[str, Floats]], shots: int) -> tuple[dict[str, Floats], float]:
     """Return a result and the processor time per shot; short computations are repeated."""
     began = process_time()
     result = compute()

@@ -108,8 +108,8 @@ def published() -> Mapping[tuple[str, str], PublishedAccuracy]:
             mean=_si(own["mean"]),
             mae=_si(entry["mae"]),
             std=_si(entry.get("std")),
-            mae_percent=_named(entry.get("mae_percent")),
-            std_percent=_named(entry.get("std_percent")),
+            mae_percent=_by_quantity(entry.get("mae_percent")),
+            std_percent=_by_quantity(entry.get("std_percent")),
             cpu=None if cpu is None else units.to_si(cpu, "ms"),
             cost=entry.get("cost"),
             caveats=(),
@@ -140,12 +140,12 @@ def wrong_percentages(accuracy: PublishedAccuracy) -> list[str]:
     return sentences
 
 
-def _named(values: list[float] | None) -> dict[str, float]:
+def _by_quantity(values: list[float] | None) -> dict[str, float]:
     return {} if values is None else dict(zip(QUANTITIES, map(float, values), strict=True))
 
 
 def _si(values: list[float] | None) -> dict[str, float]:
-    return {name: units.to_si(value, QUANTITIES[name]) for name, value in _named(values).items()}
+    return {name: units.to_si(value, QUANTITIES[name]) for name, value in _by_quantity(values).items()}
 
 
 class Pair(NamedTuple):

@@ -457,7 +457,7 @@ def error_picture(evaluation: Evaluation) -> Picture:
     count = len(panels)
     return Picture(
         "errors", "Mean absolute error of every model with its 95% interval, as published (hollow), and what"
-        " measurement alone explains (shaded).", _in_rows(panels, 2), legend=True,
+        " measurement alone explains (shaded).", _arrange_in_rows(panels, 2), legend=True,
         height=0.5 + (0.5 + 0.17 * len(places)) * ((count + 1) // 2),
     )  # fmt: skip
 
@@ -471,7 +471,7 @@ def _trend_picture(evaluation: Evaluation) -> Picture:
             Panel(
                 [Mark("rule", y=0.0, style=-1)]
                 + [
-                    Mark("line", *_binned(delivery[name], evaluation.errors(model, measured)), style=model, label=model)
+                    Mark("line", *_bin(delivery[name], evaluation.errors(model, measured)), style=model, label=model)
                     for model in evaluation.models
                 ],
                 axis(name), axis(measured),
@@ -507,16 +507,16 @@ def _agreement_picture(evaluation: Evaluation) -> Picture:
                 marks, axis(name, "measured"), axis(name, "model"), title=f"{quantity(name).label}: {model}", equal=True
             )
         )
-    return Picture("agreement", "Model over measured; on the line they agree.", _in_rows(panels, 3))
+    return Picture("agreement", "Model over measured; on the line they agree.", _arrange_in_rows(panels, 3))
 
 
-def _in_rows(panels: Sequence[Panel], columns: int) -> list[list[Panel | None]]:
+def _arrange_in_rows(panels: Sequence[Panel], columns: int) -> list[list[Panel | None]]:
     columns = min(columns, len(panels))
     padded = [*panels, *[None] * (-len(panels) % columns)]
     return [list(padded[start : start + columns]) for start in range(0, len(padded), columns)]
 
 
-def _binned(x: Floats, error: Floats) -> tuple[list[float], list[float]]:
+def _bin(x: Floats, error: Floats) -> tuple[list[float], list[float]]:
     """Return the means of ``x`` and ``error`` in bins of equal numbers of shots, sorted by ``x``."""
     there = np.isfinite(error)
     order = np.argsort(x[there], kind="stable")

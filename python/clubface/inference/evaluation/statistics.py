@@ -143,11 +143,11 @@ class Resamples:
         """Return the means of ``values``, shape [columns, shots], in each resample: [resamples, columns]."""
         if self.count * self._shots <= _KEPT:
             if self._weights is None:
-                self._weights = np.concatenate(list(self._drawn()))
+                self._weights = np.concatenate(list(self._draw_weights()))
             return self._weights @ values.T
-        return np.concatenate([weights @ values.T for weights in self._drawn()])
+        return np.concatenate([weights @ values.T for weights in self._draw_weights()])
 
-    def _drawn(self) -> Iterator[Floats]:
+    def _draw_weights(self) -> Iterator[Floats]:
         """Yield the weights of the shots, which sum to 1, in blocks of resamples: [resamples, shots]."""
         random = np.random.default_rng(self._seed)
         step = max(1, _CHUNK // self._shots)

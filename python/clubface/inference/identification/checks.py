@@ -42,7 +42,9 @@ def check_information(simulator: Simulator, point: Floats, noise: Floats) -> lis
     if different < 2:
         what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
         advice = "at least two, with different deliveries: a single shot cannot show how good the fit is"
-        left = _undetermined(simulator.of(shots.select(np.array([0]))), point, noise)  # copies add nothing to one
+        left = _undetermined_directions(
+            simulator.of(shots.select(np.array([0]))), point, noise
+        )  # copies add nothing to one
         raise InputError(what, different, advice + (f". It does not determine: {left}" if left else ""))
     kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
     distinct = shots.distinct_deliveries()
@@ -52,7 +54,7 @@ def check_information(simulator: Simulator, point: Floats, noise: Floats) -> lis
         raise InputError(
             "the number of free parameters", len(free),
             f"at most {values}, as many as there are different measured values{same}. Not determined:"
-            f" {_undetermined(simulator, point, noise)}",
+            f" {_undetermined_directions(simulator, point, noise)}",
         )  # fmt: skip
     notes = []
     if distinct == 1:
@@ -64,7 +66,7 @@ def check_information(simulator: Simulator, point: Floats, noise: Floats) -> lis
     return notes
 
 
-def _undetermined(simulator: Simulator, point: Floats, noise: Floats) -> str:
+def _undetermined_directions(simulator: Simulator, point: Floats, noise: Floats) -> str:
     """Describe the directions in parameter space that the shots do not determine."""
     directions = identifiability(simulator, point, noise).directions
     return "; ".join(each.words for each in directions if each.strength in ("none", "unknown"))
@@ -103,7 +105,7 @@ def fit_warnings(
 
 def at_bound(free: FreeParameters, point: Floats) -> tuple[str, ...]:
     """Return the names of the parameters at a bound."""
-    return tuple(name for name, place in zip(free.names, point, strict=True) if _meets(place))
+    return tuple(name for name, place in zip(free.names, point, strict=True) if _is_at_bound(place))
 
 
 def contradicted(
@@ -125,7 +127,7 @@ def worse(deviations: Mapping[str, Deviation], before: str) -> list[Note]:
     return [note("fit-worse", before=before, names=names)] if names else []
 
 
-def _meets(place: float) -> bool:
+def _is_at_bound(place: float) -> bool:
     return place < AT_BOUND or place > 1.0 - AT_BOUND
 
 
@@ -133,7 +135,7 @@ def bounds_met(free: FreeParameters, point: Floats) -> list[Note]:
     """Return a warning for each parameter at a bound of the search."""
     notes = []
     for each, place, low, high in zip(free.declared(), point, free.lower, free.upper, strict=True):
-        if _meets(place):
+        if _is_at_bound(place):
             side, bound = ("lower", low) if place < AT_BOUND else ("upper", high)
             shown = units.show(float(bound), display_unit(each.name, each.unit), 4)
             notes.append(note("fit-at-bound", parameter=each.name, side=side, bound=shown))

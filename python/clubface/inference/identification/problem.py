@@ -331,7 +331,7 @@ def prepared_shots(
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = None if groups is None else group_labels(groups, len(recorded))
     compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
-    asked = compared if quantities is None else _asked(quantities)
+    asked = compared if quantities is None else _check_quantities(quantities)
     if met := set(asked) & set(SOLVED) - set(compared):
         raise InputError(
             "quantities", min(met), f"quantities other than those met at the launch: {', '.join(compared)}"
@@ -382,7 +382,7 @@ def prepared_shots(
     )  # fmt: skip
 
 
-def _asked(quantities: Iterable[str]) -> tuple[str, ...]:
+def _check_quantities(quantities: Iterable[str]) -> tuple[str, ...]:
     asked = (quantities,) if isinstance(quantities, str) else tuple(dict.fromkeys(quantities))
     if not asked:
         raise InputError("quantities", asked, "at least one of " + ", ".join(QUANTITIES))

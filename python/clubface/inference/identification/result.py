@@ -194,7 +194,9 @@ class Identification(Described):
             self._parameters(), self._deviations(), self._directions(), self._profiles(), self._refinements(),
             *shot_tables(self.dropped, self.loft_origins),
         )  # fmt: skip
-        settings = {name: _words(value) for name, value in self.settings.items() if name not in ("noise", "bounds")}
+        settings = {
+            name: _setting_text(value) for name, value in self.settings.items() if name not in ("noise", "bounds")
+        }
         return Result(
             "identification", f"Parameters of {self.model} from {self.shots} shots with {self.club}",
             tables=tuple(each for each in tables if len(each)),
@@ -318,7 +320,7 @@ class Identification(Described):
         profile = self.profiles.get(name)
         if profile is not None:
             marks = [
-                Mark("line", *_between(profile.values, profile.rise), label="profile"),
+                Mark("line", *_profile_curve(profile.values, profile.rise), label="profile"),
                 Mark("points", profile.values, profile.rise, size=2.2),
             ]
             near = profile.values[profile.rise <= HIGHEST]
@@ -344,14 +346,14 @@ class Identification(Described):
         )  # fmt: skip
 
 
-def _words(value: Any) -> str:
+def _setting_text(value: Any) -> str:
     """Format a setting."""
     if isinstance(value, Mapping):
         return ", ".join(f"{name} follows {leader}" for name, leader in value.items()) or "none"
     return (", ".join(map(str, value)) or "none") if isinstance(value, (list, tuple)) else str(value)
 
 
-def _between(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
+def _profile_curve(where: Floats, rise: Floats) -> tuple[Floats, Floats]:
     """Return a curve through the points of a profile, linear in its square root like the interval."""
     place = np.linspace(0.0, len(where) - 1.0, FINE * (len(where) - 1) + 1)
     roots = np.sqrt(rise) * np.sign(np.arange(len(rise)) - float(np.argmin(rise)))

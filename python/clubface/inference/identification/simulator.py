@@ -78,7 +78,7 @@ class Simulator:
 
     def before(self) -> Floats:
         """Return the launch quantities [SI] with the initial parameter set, shape (quantities, shots)."""
-        launches = self._computed(self.shots.columns, self.free.fixed.columns(), len(self.shots))
+        launches = self._compute_outputs(self.shots.columns, self.free.fixed.columns(), len(self.shots))
         self.effort.add(1, len(self.shots))
         return launches[self._places]
 
@@ -89,7 +89,7 @@ class Simulator:
         differentiation of the angles that meet launch angle and azimuth.
         """
         driven = self.free.driven()
-        inputs = self._met(self.shots.columns, self.free.single(point), len(self.shots))
+        inputs = self._meet_launch(self.shots.columns, self.free.single(point), len(self.shots))
         variables = [len(inputs) + place for places in driven for place in places] + self.shots.solved_columns()
         places = self.shots.output_places()
         computed, _ = core.sensitivities(
@@ -110,21 +110,21 @@ class Simulator:
     def contact(self, point: Floats) -> tuple[Floats, Floats]:
         """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
         order = list(outputs())
-        computed = self._computed(self.shots.columns, self.free.single(point), len(self.shots))
+        computed = self._compute_outputs(self.shots.columns, self.free.single(point), len(self.shots))
         return computed[order.index("contact_time")], computed[order.index("peak_force")]
 
     def _block(self, points: Floats) -> Floats:
         count, shots = len(points), len(self.shots)
-        computed = self._computed(self._inputs(count), self.free.columns(points, shots), count * shots)
+        computed = self._compute_outputs(self._inputs(count), self.free.columns(points, shots), count * shots)
         return computed[self._places].reshape(len(self._places), count, shots)
 
-    def _computed(self, inputs: list[Any], parameters: list[Any], count: int) -> Floats:
+    def _compute_outputs(self, inputs: list[Any], parameters: list[Any], count: int) -> Floats:
         """Return all outputs of the core, meeting the measured launch if required; NaN where that is impossible."""
-        inputs = self._met(inputs, parameters, count)
+        inputs = self._meet_launch(inputs, parameters, count)
         computed, _ = core.impact(self.free.fixed.model, inputs, parameters, count, self.accuracy, self.threads)
         return computed
 
-    def _met(self, inputs: list[Any], parameters: list[Any], count: int) -> list[Any]:
+    def _meet_launch(self, inputs: list[Any], parameters: list[Any], count: int) -> list[Any]:
         """Return the inputs with the loft and face angle that meet the measured launch; NaN where none do."""
         columns = self.shots.solved_columns()
         if not columns:
