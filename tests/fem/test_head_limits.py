@@ -62,7 +62,7 @@ def test_numbers_of_elements(head, least):
     for place in range(3):
         for wrong in (least[place] - 1, 401):
             numbers = tuple(wrong if each == place else least[each] for each in range(3))
-            with pytest.raises(InputError, match=r"elements is .*; it must be .*whole numbers? from .* to 400"):
+            with pytest.raises(InputError, match=r"elements is .* to 400"):
                 dataclasses.replace(head, elements=numbers)
 
 
@@ -70,17 +70,17 @@ def test_the_mass_and_the_walls_of_a_driver():
     for grams in (50, 500):
         assert dataclasses.replace(DRIVER, target={"mass": f"{grams} g"}).target["mass"] == grams * 1e-3
     for grams in (49.9, 500.1):
-        with pytest.raises(InputError, match=f"target.mass is '{grams} g'; it must be 50 to 500 g"):
+        with pytest.raises(InputError, match=f"target.mass is '{grams} g'.* 50 to 500 g"):
             dataclasses.replace(DRIVER, target={"mass": f"{grams} g"})
     for scales in ((0.1, 1.0), (1.0, 10.0), (0.1, 10.0)):
         assert dataclasses.replace(DRIVER, scales=scales).scales == scales
     for scales in ((0.099, 2.0), (1.001, 2.0), (0.5, 0.999), (0.5, 10.01)):
-        with pytest.raises(InputError, match=r"scales is .*; it must be 0.1 to 1 and 1 to 10"):
+        with pytest.raises(InputError, match=r"scales is .*0.1 to 1 and 1 to 10"):
             dataclasses.replace(DRIVER, scales=scales)
 
 
 def test_the_corners_of_an_iron_are_rounded_by_less_than_half_its_heel():
     assert reshaped(IRON, "rounding", "14.9 mm").shape["rounding"] == pytest.approx(0.0149)
     for value in ("15 mm", "15.1 mm"):
-        with pytest.raises(InputError, match=f"shape.rounding is '{value}'; it must be below half of heel_height"):
+        with pytest.raises(InputError, match=f"shape.rounding is '{value}'.*half of heel_height"):
             reshaped(IRON, "rounding", value)

@@ -94,7 +94,7 @@ def test_a_ball_has_one_to_five_pieces_and_a_material_up_to_four_branches():
         ball(pieces=())
     branch = Maxwell(modulus=0.1, time=1e-3)
     assert len(Material.linear(2e7, 0.4, maxwell=[branch] * 4).maxwell) == 4
-    with pytest.raises(InputError, match="maxwell is 5; it must be at most 4 branches"):
+    with pytest.raises(InputError, match=r"maxwell is 5.*at most 4"):
         Material.linear(2e7, 0.4, maxwell=[branch] * 5)
 
 

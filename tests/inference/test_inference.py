@@ -272,13 +272,13 @@ def test_samples_and_confidences_are_taken_to_their_ends(inferred):
     for samples in (1, 100_000):
         assert Inference(club="driver", model="slip", samples=samples) is not None
     for samples in (0, 100_001, True, 10.0):
-        with pytest.raises(InputError, match=r"samples is .*; it must be a whole number from 1 to 100000"):
+        with pytest.raises(InputError, match=r"samples is .*1 to 100000"):
             Inference(club="driver", model="slip", samples=samples)
     (low, high), (within_low, within_high) = (inferred.interval("speed", each) for each in (0.999, 0.001))
     assert low < within_low < inferred.mean["speed"] + inferred.deviation["speed"]
     assert low < within_low <= within_high < high
     for confidence in (0.0, 1.0):
-        with pytest.raises(InputError, match=r"confidence is [01].0; it must be between 0 and 1"):
+        with pytest.raises(InputError, match=r"confidence is [01].0.*between 0 and 1"):
             inferred.interval("speed", confidence)
     # Half of the draws of the speed lie in the interval of 0.5, and a quarter on either side of it.
     low, high = inferred.interval("speed", 0.5)

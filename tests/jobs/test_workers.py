@@ -76,9 +76,9 @@ def test_killed_processes_lose_nothing(tmp_path):
 
 
 def test_a_part_that_kills_every_process_is_given_up():
-    with pytest.raises(RunError, match="3 workers died over chunk 5; the last was ended by SIGKILL"):
+    with pytest.raises(RunError, match="3 workers died over chunk 5"):
         list(in_processes([5], job_parts.dies, workers=1))
-    with pytest.raises(RunError, match="not enough memory for chunk 7; give smaller chunks, or fewer workers"):
+    with pytest.raises(RunError, match="not enough memory for chunk 7"):
         list(in_processes([7], job_parts.lacks_memory, workers=1))
 
 

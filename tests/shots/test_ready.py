@@ -78,7 +78,7 @@ def test_an_unfulfillable_condition_and_invalid_values_are_refused(session):
         ready_shots(session, where="toe > 1 m or high > 1 m")
     with pytest.raises(UnknownNameError, match="toe"):
         ready_shots(session, only="7i", assume={"tow": "0 mm"})
-    with pytest.raises(InputError, match=r"assume face is '13'; it must be .* text with its unit"):
+    with pytest.raises(InputError, match=r"assume face is '13'"):
         ready_shots(session, only="7i", assume={"face": "13"})  # degrees were meant, and radians are taken
     with pytest.raises(UnitError, match="assume toe is '0 deg'"):
         ready_shots(session, only="7i", assume={"toe": "0 deg"})

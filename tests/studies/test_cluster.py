@@ -79,9 +79,7 @@ def test_a_cluster_whose_worker_and_scheduler_are_killed_loses_nothing(tmp_path,
         # A chunk that the killed worker had stored and not yet told of is found when it is given again.
         assert done.computed in (9, 10)
         assert done.missing == 10
-        with pytest.raises(
-            ClubfaceError, match=r"is lost: the scheduler of the cluster .*; .* of 20 chunks are done and"
-        ):
+        with pytest.raises(ClubfaceError, match=r"is lost: .* of 20 chunks"):
             studies.run(path, scheduler=address, progress=at(3, boss.kill))
     done = studies.run(path)
     assert 0 < done.computed <= 7
@@ -124,7 +122,7 @@ def test_the_address_of_a_worker_is_reported(tmp_path):
         with Client(address) as client:
             client.wait_for_workers(1, timeout=60)
             (worker,) = client.scheduler_info()["workers"]
-        with pytest.raises(LinkError, match="is a worker of the cluster; give the address of its scheduler"):
+        with pytest.raises(LinkError, match="is a worker of the cluster"):
             studies.run(squares(tmp_path), scheduler=worker)
 
 

@@ -258,7 +258,7 @@ def test_a_custom_law_is_refused_before_the_study_begins(tmp_path):
     try:
         path = shots(tmp_path)
         path.write_text(path.read_text().replace("[impact]", '[impact]\nmodel = "mine"'))
-        with pytest.raises(FileError, match="model is 'mine'; it must be one of the package"):
+        with pytest.raises(FileError, match="model is 'mine'"):
             read_study(path)
     finally:
         OWN.clear()

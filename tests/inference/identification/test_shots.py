@@ -87,7 +87,7 @@ def test_shots_of_a_player_are_left_out_and_drawn_together():
 
 
 def test_one_shot_is_refused_with_what_it_leaves_undetermined():
-    with pytest.raises(InputError, match="number of shots is 1; it must be at least two"):
+    with pytest.raises(InputError, match=r"number of shots is 1;.*two"):
         clubface.identify(recorded(1, "slip"), **SMALL)
     shots = recorded(1, "volumetric")
     with pytest.raises(InputError, match=r"It does not determine: .*transition_speed"):
@@ -97,7 +97,7 @@ def test_one_shot_is_refused_with_what_it_leaves_undetermined():
 def test_copies_of_one_shot_are_one_shot():
     """They would give intervals of no width."""
     shots = recorded(1, "slip", noise=1.0).select(np.zeros(20, dtype=int))
-    with pytest.raises(InputError, match="number of different ones among 20 shots is 1; it must be at least two"):
+    with pytest.raises(InputError, match=r"number of different ones among 20 shots is 1;.*two"):
         clubface.identify(shots, **SMALL)
     single = recorded(1, "volumetric")
     open_ = []
@@ -135,5 +135,5 @@ def test_shots_that_are_all_the_same_say_what_they_leave_open():
 
 def test_more_parameters_than_information_are_refused():
     shots = recorded(2, "volumetric")
-    with pytest.raises(InputError, match=r"at most 4, as many as there are different measured values"):
+    with pytest.raises(InputError, match=r"at most 4"):
         clubface.identify(shots, club="driver", model="volumetric", quantities=["ball_speed", "launch"], **QUICK)
