@@ -103,7 +103,7 @@ class Explanation(Described):
 
     @property
     def face_to_path(self) -> float:
-        """Face angle relative to the path [rad], open to the right positive."""
+        """Face angle relative to the path [rad], to the right of the path is positive."""
         return float(self.launch.input("face") - self.launch.input("path"))
 
     def to_result(self) -> Result:

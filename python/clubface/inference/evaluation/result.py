@@ -389,7 +389,7 @@ class Evaluation(Described):
 
 
 def refuse_input(folder: str | os.PathLike[str], source: str) -> None:
-    """Refuse a folder in which the table of shots would overwrite the input file."""
+    """Raise FileError for a folder in which the table of shots would overwrite the input file."""
     target = Path(folder) / SHOTS_FILE
     if target.exists() and os.path.exists(source) and target.samefile(source):
         raise FileError(source, None, "the report would overwrite this file; give another folder")

@@ -32,7 +32,7 @@ REFERENCE_SPEED, SPEED_POWER = 50.0, 1.2
 
 
 def check_information(simulator: Simulator, point: Floats, noise: Floats) -> list[Note]:
-    """Refuse shots that cannot determine the free parameters, and return notes about few shots.
+    """Raise InputError for shots that cannot determine the free parameters; return notes about few shots.
 
     The message names the undetermined directions. ``point`` is a trial point of the parameters, such as the published
     set.

@@ -186,7 +186,7 @@ def free_parameters(
 
 @cache
 def published_choice(model: str) -> tuple[tuple[str, ...], Mapping[str, str], Mapping[str, list[str]]]:
-    """Return the parameters of a model that its publication identified (none: all), what it tied, and bounds."""
+    """Return the parameters identified in the publication of a model (empty: all), its ties, and bounds."""
     document = Document.read(DATA / "identification.toml")
     entry = document.data.get(model, {})
     tied, bounds = (Frozen(entry.get(key, {})) for key in ("tied", "bounds"))

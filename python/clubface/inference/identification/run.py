@@ -207,7 +207,7 @@ class Stages:
     def _intervals(
         self, point: Floats, information: Identifiability, samples: Floats, profiles: Mapping[str, Profile]
     ) -> dict[str, tuple[float, float]]:
-        """Return one interval per parameter.
+        """Return one confidence interval per parameter.
 
         For few groups of shots, the bootstrap interval is extended to include the interval from derivatives. For a
         parameter that Fisher's information finds unknown, it is extended to its profile interval or bounds, and to the
