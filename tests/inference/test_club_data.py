@@ -1,6 +1,5 @@
 """Measured club data in the inference: it narrows what it measures, and absurd data is told."""
 
-import csv
 import re
 from dataclasses import replace
 
@@ -16,6 +15,7 @@ from clubface.shots import refer
 from clubface.shots.measured import QUANTITIES
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.reference_points import as_seen
+from deliveries import table as rows_of
 
 DEG = np.pi / 180
 MEASURED = ("speed", "attack", "path", "face")
@@ -130,11 +130,6 @@ def recorded(deliveries, count=1, **points):
     return RecordedShots(
         deliveries=given, launches=launches, rows=np.arange(2, count + 2), source="x", format="clubface", **points
     )
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def inferred(shots, tmp_path, **options):

@@ -1,6 +1,5 @@
 """Files of launches back to deliveries, and ``clubface infer``."""
 
-import csv
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +12,7 @@ from clubface.inference import file as files
 from clubface.inference.run import CLUB_NOISE
 from clubface.shots.recorded import RecordedShots
 from command_line import assert_mistake
+from deliveries import table as rows_of
 
 OPTIONS = {"club": "driver", "samples": 60, "model": "slip"}
 LAUNCH = ["--ball-speed", "159 mph", "--launch", "14.5 deg", "--backspin", "2900 rpm"]
@@ -26,11 +26,6 @@ def launches(n=3):
         source="range.csv",
         format="clubface",
     )
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def test_every_launch_has_a_row_with_the_same_figures_as_alone(tmp_path):

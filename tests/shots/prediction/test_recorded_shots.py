@@ -14,6 +14,7 @@ from clubface import shots as launch_monitor
 from clubface.errors import FileError, InputError
 from clubface.jobs.store import unfinished_folder
 from clubface.shots.prediction import predict
+from deliveries import table as rows_of
 
 TRACKMAN = Path(__file__).parents[2] / "data" / "launch_monitors" / "trackman.csv"
 DEG = np.pi / 180
@@ -22,11 +23,6 @@ CONTACT = (
     "Driver,contact,A,100,13,2,15,0,0.4\nDriver,contact,B,101,13,2.5,14,-3,0.5\n7i,contact,B,85,24,0,3,1,0\n"
     "Driver,contact,A,99,12,1,,2,0.1\n"
 )
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def column(path, name):
