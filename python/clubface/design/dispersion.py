@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,21 +25,17 @@ from clubface.errors import InputError, RangeWarning, ShotError, Wording
 from clubface.quantities import quantity
 from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of, shot_words
-from clubface.shots.tables.parquet import pyarrow_for
-from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
+from clubface.shots.tables.writer import columns_file
 from clubface.simulation.flight import AirLike, Flight, GroundLike, WindLike, fly
 from clubface.simulation.impact import Parameters, Tally as RangeTally, impact
 from clubface.simulation.inputs import DeliveryLike, thread_count
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, check_choice, check_count, check_share, warn_once, without_warnings
-from clubface.support.files import whole_file
 from clubface.units import SI_UNITS, from_si
 
 Sink = Callable[[Mapping[str, Floats], Mapping[str, Floats]], None]
 """Takes the deliveries of a chunk and the results."""
-Write = Callable[[dict[str, Floats]], None]
-"""Writes a chunk, given as columns by heading."""
 
 
 @contextmanager
@@ -50,10 +46,8 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
     differ more than random ones, so rows are shuffled within each chunk by ``seed``; statistics that depend on their
     order, such as drift, then look like those of a real session.
     """
-    target = Path(path)
-    opened = _parquet_writer if is_parquet(target) else _csv_writer
     random, dimensions = np.random.default_rng(seed), shot_words().dimensions
-    with whole_file(target) as file, opened(file, target) as write:
+    with columns_file(Path(path)) as write:
 
         def take(deliveries: Mapping[str, Floats], values: Mapping[str, Floats]) -> None:
             columns, order = {}, random.permutation(len(next(iter(deliveries.values()))))
@@ -63,37 +57,6 @@ def shots_file(path: str | os.PathLike[str], *, seed: int = 0) -> Iterator[Sink]
             write(columns)
 
         yield take
-
-
-@contextmanager
-def _csv_writer(file: BinaryIO, target: Path) -> Iterator[Write]:
-    delimiter, begun = delimiter_of(target), False
-
-    def write(columns: dict[str, Floats]) -> None:
-        nonlocal begun
-        if not begun:
-            file.write(csv_lines([list(columns)], delimiter))
-            begun = True
-        file.write(csv_lines(zip(*map(number_cells, columns.values()), strict=True), delimiter))
-
-    yield write
-
-
-@contextmanager
-def _parquet_writer(file: BinaryIO, target: Path) -> Iterator[Write]:
-    arrow = pyarrow_for(target)
-    writer: Any = None
-
-    def write(columns: dict[str, Floats]) -> None:
-        nonlocal writer
-        table = arrow.table({name: arrow.array(each, from_pandas=True) for name, each in columns.items()})
-        if writer is None:
-            writer = arrow.parquet.ParquetWriter(file, table.schema)
-        writer.write_table(table)
-
-    yield write
-    if writer is not None:
-        writer.close()
 
 
 Counts = NDArray[np.int64]

@@ -26,7 +26,7 @@ from clubface.results.result import Presentable, Result
 from clubface.shots.plausibility import can_be
 from clubface.shots.tables.headings import HAND, LAUNCH_QUANTITIES, POINTS, by_word, heading_of, shot_words, vocabulary
 from clubface.shots.tables.parquet import ENDINGS as PARQUET
-from clubface.shots.tables.writer import write_columns
+from clubface.shots.tables.writer import columns_file
 from clubface.simulation.inputs import DIMENSIONS
 from clubface.simulation.results import inputs
 from clubface.simulation.spin import SPINS, complete, notes_of
@@ -276,7 +276,8 @@ class RecordedShots(Presentable):
 
         The file appears only when it is complete. It does not contain rejected rows and notes.
         """
-        write_columns(self.columns(), Path(path))
+        with columns_file(Path(path), exact=True) as write:
+            write(self.columns())
 
 
 def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Floats]:

@@ -18,7 +18,7 @@ from clubface.errors import FileError, InputError
 from clubface.results.result import Described, Result
 from clubface.shots.tables.headings import heading_of
 from clubface.shots.tables.parquet import pyarrow_for
-from clubface.shots.tables.writer import csv_lines, delimiter_of, is_parquet, number_cells
+from clubface.shots.tables.writer import columns_file, is_parquet
 from clubface.studies.kinds.kind import TASK
 from clubface.studies.running import ChunkTally
 from clubface.studies.store import METADATA, Names, ParquetFormat, StudyStore, Values, open_store
@@ -134,18 +134,14 @@ def _parquet_writer(path: Path, store: StudyStore) -> Iterator[Write]:
 def _csv_writer(path: Path, store: StudyStore) -> Iterator[Write]:
     """Write CSV in practical units."""
     headings = {name: heading_of(name, unit) if unit else (name, "1") for name, unit in store.columns.items()}
-    delimiter = delimiter_of(path)
 
-    def cells(name: str, each: NDArray[Any] | Names) -> list[str]:
+    def shown(each: NDArray[Any] | Names, unit: str) -> Any:
         if isinstance(each, Names):
             return [each.choices[code] for code in each.codes.tolist()]
-        return number_cells(from_si(each, headings[name][1]))
+        return from_si(each, unit)
 
-    with whole_file(path) as file:
-        file.write(csv_lines([[heading for heading, _ in headings.values()]], delimiter))
-        yield lambda columns: file.write(
-            csv_lines(zip(*(cells(name, columns[name]) for name in headings), strict=True), delimiter)
-        )
+    with columns_file(path) as write:
+        yield lambda columns: write({head: shown(columns[name], unit) for name, (head, unit) in headings.items()})
 
 
 def histories(

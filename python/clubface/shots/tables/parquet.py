@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -126,10 +126,3 @@ class ParquetForm:
                 except (OSError, ValueError, self._arrow.ArrowException):
                     raise FileError(str(path), None, PARTS_MISSING) from None
                 writer.write_table(table)
-
-
-def write_parquet(columns: Mapping[str, Any], file: BinaryIO, path: Path) -> None:
-    """Write a table to ``file``, which will be renamed to ``path``; NaN becomes null."""
-    arrow = pyarrow_for(path)
-    arrays = {name: arrow.array(values, from_pandas=True) for name, values in columns.items()}
-    arrow.parquet.write_table(arrow.table(arrays), file)

@@ -5,17 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
+from typing import Any, BinaryIO, Protocol
 
 from clubface.errors import LINES, FileError, legible
 from clubface.shots.tables.cells import PARTS_MISSING, Chunk, Reject, cell_text
-from clubface.shots.tables.parquet import ENDINGS as PARQUET, write_parquet
+from clubface.shots.tables.parquet import ENDINGS as PARQUET, pyarrow_for
 from clubface.support.files import whole_file
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 KINDS = (".csv", ".tsv", *PARQUET)
 """Endings of table file names."""
@@ -100,11 +98,6 @@ def delimiter_of(path: Path) -> str:
     return "\t" if path.suffix.lower() == ".tsv" else ","
 
 
-def number_cells(values: NDArray[Any]) -> list[str]:
-    """Return numbers as cells with ``DIGITS`` significant digits; NaN gives an empty cell."""
-    return ["" if value != value else f"{value:.{DIGITS}g}" for value in values.tolist()]
-
-
 def is_parquet(path: Path) -> bool:
     """Return whether a file name ends as Parquet, or False for CSV; raise an error for another ending."""
     if path.suffix.lower() not in KINDS:
@@ -112,15 +105,35 @@ def is_parquet(path: Path) -> bool:
     return path.suffix.lower() in PARQUET
 
 
-def write_columns(columns: Mapping[str, Any], path: Path) -> None:
-    """Write a table to a CSV or Parquet file, by its ending; the file appears only when it is complete.
+@contextmanager
+def columns_file(path: Path, *, exact: bool = False) -> Iterator[Callable[[Mapping[str, Any]], None]]:
+    """Open a CSV or Parquet file for columns by heading, written a piece at a time.
 
-    NaN becomes an empty cell.
+    The file appears under its name, complete, only when the block ends without an error. NaN becomes an empty cell, or
+    null in Parquet. Numbers in CSV have ``DIGITS`` significant digits, or all of them if ``exact``.
     """
-    parquet = is_parquet(path)
-    with whole_file(path) as file:
-        if parquet:
-            write_parquet(columns, file, path)
-        else:
-            rows = zip(*(map(cell_text, each) for each in columns.values()), strict=True)
-            file.write(csv_lines([list(columns), *rows], delimiter_of(path)))
+    arrow = pyarrow_for(path) if is_parquet(path) else None
+    delimiter = delimiter_of(path)
+    writer: Any = None
+
+    def cells(values: Any) -> list[str]:
+        listed = values if isinstance(values, list) else values.tolist()
+        if exact:
+            return [cell_text(each) for each in listed]
+        return [each if isinstance(each, str) else "" if each != each else f"{each:.{DIGITS}g}" for each in listed]
+
+    with whole_file(path) as file, ExitStack() as stack:
+
+        def write(columns: Mapping[str, Any]) -> None:
+            nonlocal writer
+            if arrow is None:
+                headings = [list(columns)] if writer is None else []
+                writer = file
+                file.write(csv_lines([*headings, *zip(*map(cells, columns.values()), strict=True)], delimiter))
+                return
+            table = arrow.table({name: arrow.array(each, from_pandas=True) for name, each in columns.items()})
+            if writer is None:
+                writer = stack.enter_context(arrow.parquet.ParquetWriter(file, table.schema))
+            writer.write_table(table)
+
+        yield write
