@@ -160,7 +160,7 @@ def test_two_files_become_one(clubface_, tmp_path):
         ][0]["shots"]
         == 11
     )
-    assert_mistake(clubface_("capture", "join", str(one), str(other), "-o", str(one)), "a file other than those")
+    assert_mistake(clubface_("capture", "join", str(one), str(other), "-o", str(one)), "a file other than the inputs")
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ def test_histories_make_tables():
 def test_only_single_shots_by_contact_models_have_a_history():
     with pytest.raises(InputError, match="volumetric, rings, area"):
         clubface.history("driver", **DRIVE, model="standard")
-    with pytest.raises(InputError, match="one shot"):
+    with pytest.raises(InputError, match="single shot"):
         clubface.history("driver", speed=[50.0, 51.0])
     with pytest.raises(ShotError, match=r"52\.5 mm"):
         clubface.history("driver", speed=50.0, toe=0.06)

@@ -118,7 +118,7 @@ def test_units_outputs_and_variables_can_be_chosen():
         ({"speed": 50.0, "toe": 0.06}, ShotError, "52.5 mm"),
         ({"speed": 50.0, "outputs": ["spin"]}, UnknownNameError, "did you mean"),
         ({"speed": 50.0, "variables": ["hand"]}, UnknownNameError, "variable"),
-        ({"speed": 50.0, "variables": ["toe", "toe"]}, InputError, "different"),
+        ({"speed": 50.0, "variables": ["toe", "toe"]}, InputError, "without repeats"),
         ({"speed": 50.0, "units": {"toe": "mph"}}, UnitError, "toe"),
         ({"speed": 50.0, "units": {"tow": "mm"}}, UnknownNameError, "toe"),
     ],
