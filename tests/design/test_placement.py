@@ -84,7 +84,7 @@ def test_the_room_in_a_ball_is_the_ball_and_in_a_box_the_ellipsoid_of_its_sides(
     assert result.centre == pytest.approx((-0.05, 0.0, 0.0), abs=1e-4)
     half = Volume(shape="box", centre=(-0.05, 0.0, 0.03), size=(0.1, 0.06, 0.06))
     assert room_inside(corners, half).centre[2] == pytest.approx(0.03, abs=1e-3)
-    with pytest.raises(InputError, match="where the mesh of the club is"):
+    with pytest.raises(InputError, match="outside the mesh of the club"):
         room_inside(corners, Volume(shape="box", centre=(0.2, 0.0, 0.0), size=(0.1, 0.06, 0.06)))
 
 
