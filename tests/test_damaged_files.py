@@ -151,7 +151,7 @@ def test_a_damaged_number_of_a_mesh_is_named_by_its_line(tmp_path, write, old, n
         lambda data: b"",
     ],
 )
-def test_what_is_damaged_of_a_store_is_computed_anew(tmp_path, damage):
+def test_damaged_parts_of_a_store_are_computed_again(tmp_path, damage):
     path, content = tmp_path / "fit.checkpoint", {"set of shots": "these"}
     value = {"value": [0.125, 2.0], "evaluations": 1, "other": float("nan")}
     with Store(path, content) as store:

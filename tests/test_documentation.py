@@ -81,7 +81,7 @@ def test_code_that_people_read_imports_public_names_alone():
 
 
 @pytest.mark.parametrize("path", ["clubface.nothing", "clubface.equipment.described", "clubface.simulation.pose.Head"])
-def test_what_no_module_lists_is_not_public(path):
+def test_unlisted_names_are_not_public(path):
     assert not public(path)
 
 

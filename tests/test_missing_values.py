@@ -120,7 +120,7 @@ def test_a_value_that_is_masked_or_missing_is_computed_with_nowhere(entry, conta
 
 @pytest.mark.parametrize("container", [each for each in MISSING if each != "NaN"])
 @pytest.mark.parametrize("entry", REFUSING)
-def test_where_nothing_can_be_left_out_a_missing_value_is_refused(entry, container):
+def test_functions_without_gaps_refuse_missing_values(entry, container):
     with pytest.raises(InputError):
         REFUSING[entry](MISSING[container]())
 

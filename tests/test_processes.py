@@ -56,7 +56,7 @@ def exact(value):
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_what_is_pickled_or_deep_copied_is_the_same_bit_for_bit(name):
+def test_pickled_and_copied_results_are_equal_bit_for_bit(name):
     example = EXAMPLES[name]
     for copied in (pickle.loads(pickle.dumps(example)), copy.deepcopy(example)):
         assert type(copied) is type(example)

@@ -224,7 +224,7 @@ def test_a_library_with_other_columns_is_refused(build, capfd):
         ({}, {"model": "fem"}, ["fem", "response"]),
     ],
 )
-def test_what_cannot_be_exported_is_named(given, options, words):
+def test_inputs_that_cannot_be_exported_are_named(given, options, words):
     with pytest.raises(InputError) as refused:
         casadi_source("driver", given, **options)
     for word in words:

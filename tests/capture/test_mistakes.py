@@ -196,7 +196,7 @@ def test_what_cannot_be_read_is_refused_with_the_reason(change, options, message
         ({"club": "7-iron", "mapping": replace(MAPPING, club=None)}, "capture-flight-contradicts"),
     ],
 )
-def test_what_can_be_doubted_is_noted(options, code):
+def test_doubtful_deliveries_are_noted(options, code):
     assert code in codes(read(**options))
 
 

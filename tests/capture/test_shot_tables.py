@@ -38,7 +38,7 @@ def test_each_swing_keeps_its_hand_club_and_place(swings, tmp_path):
     assert not swings.interrupted
 
 
-def test_what_a_swing_lacks_is_not_measured_and_deviations_stand_beside(swings):
+def test_missing_quantities_are_nan_beside_their_deviations(swings):
     np.testing.assert_array_equal(swings.shots.launches["ball_speed"], [60.0, np.nan])
     assert list(swings.shots.launches) == ["ball_speed"]
     np.testing.assert_array_equal(swings.uncertainty.launches["ball_speed"], [0.25, np.nan])

@@ -183,7 +183,7 @@ def test_a_row_that_cannot_be_struck_is_named(clubface_, write, rows, words):
     assert_mistake(clubface_("compare", "driver", "--deliveries", file), *words)
 
 
-def test_what_every_row_has_is_not_given_for_all(clubface_, write):
+def test_an_option_that_every_row_sets_is_refused(clubface_, write):
     file = str(write("speed_mph,loft_deg\n100,12\n101,13\n"))
     assert_mistake(
         clubface_("compare", "driver", "--deliveries", file, "--loft", "10 deg"), "--loft has no effect", file

@@ -54,7 +54,7 @@ def opening(one):
     return next(advice_lead(one)).code
 
 
-def test_a_certain_difference_that_nobody_notices_wins_nothing():
+def test_a_certain_but_negligible_difference_is_not_ranked():
     """0.05 yd with a standard error of 0 is below 2 yd: nothing is ranked, and the present club stays."""
     one = advice([200.0, 200.05])
     assert one.error("carry", 1) == 0.0
@@ -80,7 +80,7 @@ def test_alternatives_that_do_not_differ_share_a_rank_and_the_next_starts_after_
     assert ranks == {1: 1, 2: 1, 3: 3, 0: 3, 4: 5}
 
 
-def test_of_equals_that_is_recommended_which_costs_least_elsewhere():
+def test_among_equals_the_one_with_the_least_cost_elsewhere_is_recommended():
     one = advice([200.0, 207.0, 206.0], [3.0, 3.05, 3.0])
     assert one.recommended() == 2
     assert replace(one, choices=(1,)).recommended() == 1
@@ -91,7 +91,7 @@ def test_of_equals_that_is_recommended_which_costs_least_elsewhere():
     assert "advice-costs" in [each.code for each in advice_lead(replace(one, choices=(1,)))]
 
 
-def test_a_greater_gain_that_is_not_certain_gives_way_to_one_that_is():
+def test_a_smaller_certain_gain_beats_a_larger_uncertain_one():
     """7 yd that may be chance and 3 yd that are none: sentence and table both choose the 3 yd."""
     one = advice([200.0, 207.0, 203.0])
     one.sets[1, :, 0] += 32.0 * YARD * np.where(np.arange(16) % 2, 1.0, -1.0)
@@ -112,7 +112,7 @@ def test_a_disagreement_of_objectives_is_one_note_with_the_numbers():
     assert "advice-by-objective" not in [each.code for each in advice_lead(advice([200.0, 203.0], [3.0, 2.97]))]
 
 
-def test_what_an_objective_alone_would_choose_is_one_answer_whatever_was_asked():
+def test_the_best_for_each_objective_does_not_depend_on_the_purpose():
     """Sentence and table have the best of each, and a report on strokes has the row of the report on carry."""
     on_carry = advice([200.0, 207.0, 206.0], [3.0, 3.05, 3.0])
     on_strokes = replace(
@@ -184,7 +184,7 @@ def test_sets_hold_the_same_deliveries_though_some_miss():
     assert [(part.min() // 25, part.max() // 25) for part in parts] == [(place, place) for place in range(4)]
 
 
-def test_what_is_worth_a_change_is_given_with_units_and_must_be_known():
+def test_the_worth_of_a_change_is_read_with_units_and_known_names():
     assert worth_of({"carry": "3 yd", "strokes": "0.02"}) == {**WORTH, "carry": 3 * YARD, "strokes": 0.02}
     with pytest.raises(InputError, match=r"worth\.carry"):
         worth_of({"carry": "-1 yd"})

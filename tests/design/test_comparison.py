@@ -223,7 +223,7 @@ def test_more_inertia_keeps_ball_speed_as_published():
         assert lost[0] < speeds[0] - speeds[1] < lost[1]
 
 
-def test_what_has_no_derivative_is_changed_first_and_as_a_whole():
+def test_inputs_without_derivatives_are_changed_first_and_as_a_whole():
     driver = clubface.club("driver")
     first = {"club": driver, "delivery": DRIVE}
     result = two(first, {"club": driver.replace(mass="210 g", hand="left"), "delivery": DRIVE, "model": "standard"})

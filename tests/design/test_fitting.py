@@ -62,7 +62,7 @@ def test_all_combinations_are_ordered_from_the_best():
     assert all(each.value < best - worth for each in result if each.rank > 1)
 
 
-def test_what_is_set_freely_is_set_as_well_as_a_fine_grid_would():
+def test_free_settings_are_as_good_as_those_of_a_fine_grid():
     """Loft of a head between -4 and +6 degrees in steps of half a degree: none carries farther than the optimum."""
     (free,) = fit(from_text(BEGIN + '[fit]\nclubs = ["driver"]\nloft = ["-4 deg", "6 deg"]\n'))
     lines = [f'[[fit.setting]]\nname = "{step}"\nloft = "{step} deg"\n' for step in np.arange(-4.0, 6.01, 0.5)]
@@ -93,7 +93,7 @@ def test_the_picture_shows_the_club_that_the_advice_opens_with():
     assert advice.names[place] == result.leading.describe()
 
 
-def test_what_is_free_stands_at_an_end_whatever_the_setting_adds():
+def test_a_free_value_at_a_bound_is_noted_whatever_the_setting_adds():
     """The best loft is 0.9 degrees more: within 3 to 9 degrees of a setting of -5, beyond 0.5 without one."""
     for line, limits, ended in (("-5 deg", (3, 9), False), ("0 deg", (-1, 0.5), True)):
         text = f'[fit]\nclubs = ["driver"]\nloft = ["{limits[0]} deg", "{limits[1]} deg"]\n'

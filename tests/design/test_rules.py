@@ -64,7 +64,7 @@ def test_each_broken_limit_is_reported_alone(limit, size, changes):
     assert [name for name, verdict in result.items() if verdict == "does not conform"] == [limit]
 
 
-def test_what_is_not_known_is_not_called_conforming():
+def test_unknown_figures_are_not_called_conforming():
     assert words("driver")["volume"] == "not known"
 
 

@@ -16,7 +16,7 @@ CORPUS = sorted(path for path in (Path(__file__).parent / "corpus").iterdir() if
 
 
 @pytest.mark.parametrize("path", CORPUS, ids=lambda path: path.name)
-def test_what_was_found_stays_mended(path, tmp_path):
+def test_fuzzing_findings_stay_fixed(path, tmp_path):
     name, _, _ = path.name.partition("--")
     (tmp_path / path.name).write_bytes(path.read_bytes())
     assert finding(name, tmp_path / path.name, measure=True) is None

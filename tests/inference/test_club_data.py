@@ -98,7 +98,7 @@ def test_a_delivery_in_the_tail_of_the_prior_is_remarked():
     assert re.match(r"attack 9\.9\d deg is 8\.0 standard", far[0])
 
 
-def test_what_the_prior_leaves_out_is_taken_as_measured():
+def test_inputs_missing_from_the_prior_are_taken_as_measured():
     prior = clubface.Prior(name="mine", mean={"speed": 50.0}, deviation={"speed": 3.0})
     still = infer({"ball_speed": 70.0}, club="driver", prior=prior, samples=100)
     heel = infer({"ball_speed": 70.0}, club="driver", prior=prior, samples=100, delivery={"toe": "-20 mm"})
@@ -108,7 +108,7 @@ def test_what_the_prior_leaves_out_is_taken_as_measured():
 
 
 @pytest.mark.parametrize("hand", [1, -1])
-def test_what_is_seen_elsewhere_on_the_head_is_the_reverse_of_refer(hand):
+def test_moving_club_data_to_the_impact_point_reverses_refer(hand):
     head = replace(clubface.club("driver"), hand=hand)
     random = np.random.default_rng(0)
     deliveries = clubface.inference.prior.prior_of("elite", head).deliveries(random.standard_normal((20, 11)))

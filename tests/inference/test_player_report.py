@@ -187,7 +187,7 @@ def test_a_change_of_spin_has_its_sign_and_one_too_small_to_print_is_left_out():
     assert "carry +2.0 yd" in sentence
 
 
-def test_what_is_not_known_is_noted():
+def test_missing_knowledge_is_noted():
     three = club_statistics(shots(3, carry=np.array([220.0, 230.0, 240.0]) * YD), "Driver")
     notes = data(player_page.doubt_notes(three))
     # Student's t of 2 degrees of freedom, 4.303, times the error of the median, sqrt(pi / 2) times 10 yards over the

@@ -98,7 +98,7 @@ class Offline:
     ("yards", "place"),
     [(0.49, "on the target line"), (-0.49, "on the target line"), (0.51, "1 yd right"), (-0.51, "1 yd left")],
 )
-def test_what_rounds_to_no_yard_is_on_the_line(two, yards, place):
+def test_a_side_that_rounds_to_zero_is_on_the_target_line(two, yards, place):
     launches, flights, _ = two
     moved = {name: Offline(each, yards) for name, each in flights.items()}
     assert place in shot_result(launches, moved).summary[3].sentence
@@ -132,7 +132,7 @@ def test_headings_stand_one_below_the_other(two):
     ]  # fmt: skip
 
 
-def test_what_nothing_was_given_for_is_not_listed(two):
+def test_inputs_that_were_not_given_are_not_listed(two):
     inputs = of_kind(two[2], TextTable)[1]
     assert [row[0] for row in inputs.rows] == ["speed", "loft", "face", "air", "wind", "ground"]
     assert inputs.data.rows == inputs.rows

@@ -38,7 +38,7 @@ def test_the_data_behind_a_table_come_back_with_every_digit(rows):
     assert [(type(number)(each[0]), each[1]) for (number, _), each in zip(rows, result, strict=True)] == rows
 
 
-def test_what_is_not_known_is_an_empty_cell():
+def test_unknown_values_are_empty_cells():
     assert Data("any", ("a", "b"), [(None, float("nan"))]).as_csv() == "a,b\n,\n"
 
 

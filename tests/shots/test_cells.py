@@ -25,7 +25,7 @@ MPH, KMH, YD, RPM, DEG = (to_si(1.0, each) for each in ("mph", "km/h", "yd", "rp
         ("-1.5°", "attack", -1.5, "deg"), ("245 yards", "carry", 245.0, "yd"), ("12", "launch", 12.0, None),
     ],
 )  # fmt: skip
-def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity, value, unit):
+def test_number_side_and_unit_may_stand_in_any_order(cell, quantity, value, unit):
     result = reading(cell, quantity, decimal_comma=False)
     assert (result.value, result.unit) == (value, unit)
     assert unit_in(cell, quantity) == unit
@@ -50,13 +50,13 @@ def test_a_number_stands_with_its_side_and_its_unit_in_any_order(cell, quantity,
         ("3’045 L", "sidespin", -3045.0), ("1 003 045", "total_spin", 1003045.0),
     ],
 )  # fmt: skip
-def test_people_write_sides_units_and_thousands_in_many_ways(cell, quantity, value):
+def test_many_spellings_of_sides_units_and_thousands_are_read(cell, quantity, value):
     result = reading(cell, quantity, decimal_comma="," in cell)
     assert result.value == value
     assert result.side is None or abs(result.side.sign) == 1
 
 
-def test_a_sign_beside_a_letter_is_that_of_its_column():
+def test_a_sign_beside_a_letter_must_agree_with_it():
     """Garmin's sidespin is positive to the left: minus there is to the right."""
     assert reading("-300 R", "sidespin", False, positive=-1.0).value == 300.0
     with pytest.raises(CellError, match="contradict"):
@@ -69,7 +69,7 @@ def test_a_letter_says_the_side_whichever_side_of_its_column_is_positive(write):
 
 
 @pytest.mark.parametrize("cell", ["", "---", "--.-", "–", "n/a", "#N/A", "Not measured", "?", " . "])
-def test_what_was_not_measured_is_written_in_many_ways(cell):
+def test_many_spellings_of_not_measured_are_read(cell):
     assert reading(cell, "face", decimal_comma=False) is None
 
 
@@ -159,7 +159,7 @@ def test_the_column_that_names_the_club_is_no_speed_whatever_unit_is_given_for_s
     np.testing.assert_allclose(shots.deliveries["speed"], [100 * MPH], rtol=1e-14)
 
 
-def test_rows_in_other_units_each_count_in_their_own(tmp_path):
+def test_each_row_is_read_in_its_own_units(tmp_path):
     path = tmp_path / "garmin.csv"
     path.write_text(
         "Club Type,Ball Speed,Carry Deviation Distance,Launch Direction,Carry Distance\n"

@@ -60,7 +60,7 @@ def shots():
         ("club == 'Driver' and ball_speed > 999 mph", [0, 0, 0, 0], 0),
     ],
 )
-def test_a_condition_chooses_the_shots_for_which_it_is_known_to_hold(shots, condition, mask, undecided):
+def test_a_condition_selects_shots_for_which_it_certainly_holds(shots, condition, mask, undecided):
     result = match_shots(shots, condition)
     assert result.mask.tolist() == [bool(each) for each in mask]
     assert result.undecided == undecided

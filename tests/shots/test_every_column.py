@@ -118,7 +118,7 @@ def test_a_face_to_path_that_contradicts_face_and_path_is_not_used_and_named(wri
     assert [each["line"] for each in noted(shots, "face-and-path-contradict")] == [2]
 
 
-def test_columns_of_numbers_that_are_not_understood_are_listed_and_names_and_dates_are_not(write):
+def test_unread_number_columns_are_listed_and_names_and_dates_are_not(write):
     content = (
         "Shot,Date,Club,Ball Speed (mph),Swing Direction (deg),Wobble,Roll (yd),Remark,Next,Distance to Pin (m)\n"
         "1,2026-05-01,Driver,147,0.1,12.5,22,7 iron next,7 iron,198.2\n"
@@ -160,7 +160,7 @@ def test_carry_on_level_ground_is_read_only_where_there_is_no_carry(write):
         ("Closure Rate (deg/s)", "32767"), ("Attack Angle (deg)", "---"), ("Side Spin (rpm)", "32767"),
     ],
 )  # fmt: skip
-def test_numbers_for_nothing_measured_are_no_measurements_and_do_not_speak_of_units(write, heading, value):
+def test_placeholder_numbers_are_no_measurements_and_prove_no_unit(write, heading, value):
     rows = f"147,{value}\n" * 3
     shots = launch_monitor.read(write(f"Ball Speed (mph),{heading}\n{rows}"))
     assert set(shots.deliveries | shots.launches) == {"ball_speed"} or all(

@@ -56,7 +56,7 @@ def test_an_ascii_beginning_does_not_decide_the_encoding(write):
     assert shots.clubs[-1] == "7番アイアン"
 
 
-def test_zero_bytes_cost_their_row_and_a_zeroed_end_costs_nothing(write):
+def test_zero_bytes_lose_their_row_and_a_zeroed_end_loses_nothing(write):
     content = b"club,club_speed_mph\nDriver,100\nDri\0ver,101\nDriver,102\n" + b"\0" * 500
     shots = launch_monitor.read(write(content))
     assert shots.rows.tolist() == [2, 4]
@@ -142,7 +142,7 @@ def database():
         (archive("word/document.xml"), "Word"), (b"PAR1\x15\x04", "Parquet"), (b"\x89PNG\r\n\x1a\n" + bytes(9), "PNG"),
     ],
 )  # fmt: skip
-def test_what_is_no_table_is_named_by_what_it_is_whatever_its_name(write, content, kind, ending):
+def test_files_that_are_no_tables_are_identified_whatever_their_name(write, content, kind, ending):
     with pytest.raises(FileError) as caught:
         launch_monitor.read(write(content, f"shots.{ending}"))
     assert kind in str(caught.value)

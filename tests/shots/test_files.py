@@ -446,7 +446,7 @@ def test_the_hand_of_each_shot_is_read_where_the_file_tells_it(write):
     np.testing.assert_allclose(shots.launches["azimuth"], [1 * DEG, 1 * DEG], rtol=1e-14)
 
 
-def test_what_is_asked_for_must_exist():
+def test_unknown_formats_hands_units_and_files_are_refused():
     path = DATA / "trackman.csv"
     with pytest.raises(UnknownNameError, match="did you mean trackman"):
         launch_monitor.read(path, format="trackmann")

@@ -80,7 +80,7 @@ def test_a_shot_that_cannot_be_written_is_not_shown(path, monkeypatch):
 
 
 @given(cut=st.integers(1, 300))
-def test_a_line_that_was_cut_off_is_taken_away_and_nothing_else(tmp_path, cut):
+def test_only_a_truncated_last_line_is_removed(tmp_path, cut):
     path = tmp_path / "cut.jsonl"
     path.unlink(missing_ok=True)
     live = opened(path)
@@ -99,7 +99,7 @@ def test_a_line_that_was_cut_off_is_taken_away_and_nothing_else(tmp_path, cut):
 
 
 @pytest.mark.parametrize("line", ["{}", "[1]", "x", '{"club": "spoon", "hand": "right"}', '"text"', "null", "1e999"])
-def test_a_damaged_line_costs_itself_alone_and_stays_in_the_file(path, line):
+def test_a_damaged_line_is_skipped_and_kept_in_the_file(path, line):
     live = opened(path)
     live.keep(message(1), "open-connect")
     live.close()

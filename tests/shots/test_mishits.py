@@ -36,7 +36,7 @@ def test_a_topped_drive_is_named_with_its_line_and_reasons(read):
     assert {(row["line"], row["club"]) for row in rows} == {(11, "Driver")}
 
 
-def test_a_topped_drive_moves_no_median_no_spread_and_no_gap(read):
+def test_a_topped_drive_changes_no_median_spread_or_gap(read):
     """All figures but those of all shots are bit for bit those of the file without it."""
     irons = [f"7i,118,18,{carry},0" for carry in (150, 152, 155, 149, 151)]
     clean, topped = (summarize_clubs(read(*drives(each), *irons))[0] for each in (False, True))
@@ -93,7 +93,7 @@ def test_one_half_swing_or_skied_shot_among_full_swings_is_a_mishit():
     assert (skied.place, skied.quantity) == (5, "launch")
 
 
-def test_of_a_quantity_that_only_the_mishit_has_the_mishit_is_what_there_is():
+def test_a_quantity_only_the_mishit_has_is_taken_from_the_mishit():
     values = np.array([200.0, 201.0, 199.0, 202.0, 38.0])
     mask = is_mishit(find_mishits({"carry": values}), 5)
     assert mask.tolist() == [False] * 4 + [True]

@@ -131,7 +131,7 @@ def test_numbers_as_texts_are_numbers():
 
 @pytest.mark.parametrize("name", ["BallData", "ClubData"])
 @pytest.mark.parametrize("missing", [{}, None])
-def test_ball_or_club_data_that_are_missing_do_not_cost_the_other(name, missing):
+def test_missing_ball_or_club_data_leave_the_other_part(name, missing):
     message = {each: part for each, part in SHOT.items() if each != name} | ({name: None} if missing is None else {})
     result, whole = from_json(message), from_json(SHOT)
     kept = "delivery" if name == "BallData" else "launch"
@@ -148,7 +148,7 @@ def test_without_options_a_message_is_a_shot_of_what_it_holds():
         from_json(bare | {"BallData": None, "ClubData": None})
 
 
-def test_a_carry_in_a_unit_that_the_protocol_does_not_have_is_not_taken():
+def test_a_carry_in_an_unknown_unit_is_ignored():
     assert from_json(SHOT | {"Units": None}).launch["carry"] == from_json(SHOT).launch["carry"]
     for units in ("Feet", "", 3, ["Yards"]):
         result = from_json(SHOT | {"Units": units})
@@ -170,7 +170,7 @@ def test_a_carry_in_a_unit_that_the_protocol_does_not_have_is_not_taken():
         ({}, dict.fromkeys(SPINS)),
     ],
 )  # fmt: skip
-def test_the_spins_of_a_message_are_one_vector_and_nothing_is_made_up(spin, expected):
+def test_the_spins_of_a_message_are_one_consistent_vector(spin, expected):
     ball = {name: value for name, value in SHOT["BallData"].items() if "Spin" not in name}
     result = from_json(SHOT | {"BallData": ball | spin})
     for name, value in expected.items():
@@ -191,7 +191,7 @@ def test_a_field_without_a_number_is_reported_once_over_the_socket():
         assert sum(f"ClubData.{name}" in each for each in messages) == 1
 
 
-def test_values_that_no_shot_can_have_are_not_measured_when_the_shot_arrives():
+def test_impossible_values_are_dropped_when_the_shot_arrives():
     polar = {"BackSpin": None, "SideSpin": None}
     result = from_json(
         changed(BallData=polar | {"TotalSpin": -21474836480, "CarryDistance": 900}, ClubData={"Speed": 500})
@@ -317,7 +317,7 @@ def test_garbage_is_reported_once_and_the_next_message_is_read(data, message):
         st.one_of(st.binary(max_size=30), st.sampled_from([b"{", b"}", b'"', b"\\", b'{"a":1}', b"[[["])), max_size=8
     )
 )
-def test_whatever_comes_the_stream_goes_on(pieces):
+def test_the_stream_survives_any_bytes(pieces):
     stream = ObjectStream()
     for piece in pieces:
         for result in stream.feed(piece):
@@ -429,7 +429,7 @@ def test_the_iteration_ends_when_nothing_comes_and_a_monitor_too_many_is_turned_
     assert list(listener.messages()) == []
 
 
-def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
+def test_silent_connections_do_not_lock_out_a_monitor(monkeypatch):
     monkeypatch.setattr(open_connect, "SILENT", 0.3)
     with listening() as (listener, heard, messages), ExitStack() as idle:
         connections = [idle.enter_context(raw(listener.port))[0] for _ in range(open_connect.MOST_CLIENTS)]
@@ -441,7 +441,7 @@ def test_connections_that_say_nothing_do_not_lock_out_a_monitor(monkeypatch):
     assert len(heard) == 1
 
 
-def test_the_monitor_that_was_silent_longest_makes_room_and_one_that_speaks_stays(monkeypatch):
+def test_the_longest_silent_monitor_is_dropped_and_active_ones_stay(monkeypatch):
     monkeypatch.setattr(open_connect, "SILENT", 0.3)
     monkeypatch.setattr(open_connect, "MOST_CLIENTS", 2)
     with listening() as (listener, heard, messages), Sender(listener.port) as quiet, Sender(listener.port) as busy:

@@ -33,7 +33,7 @@ def test_a_message_is_a_shot_in_si():
     assert from_json(SHOT | {"unit": "imperial"}).launch == shot.launch
 
 
-def test_no_spin_at_all_is_spin_that_was_not_measured():
+def test_zero_spin_means_not_measured():
     assert set(from_json(changed(spinSpeed=0, spinAxis=0)).launch) == {"ball_speed", "launch", "azimuth"}
     lacking = {name: value for name, value in SHOT["shot"].items() if not name.startswith("spin")}
     assert set(from_json({"type": "shot", "shot": lacking}).launch) == {"ball_speed", "launch", "azimuth"}

@@ -13,7 +13,7 @@ from clubface.shots.measured import check_club
 
 
 @pytest.mark.parametrize("name", TOUR_CLUBS)
-def test_a_tour_players_own_club_is_never_another(name):
+def test_a_tour_players_own_club_is_never_taken_for_another(name):
     """The loft that gives the published launch angle: up to 13 degrees less than the static one (9-iron)."""
     club = clubface.club(name)
     loft = prior_of("tour", club).mean["loft"]

@@ -44,7 +44,7 @@ def test_shots_are_chosen_completed_and_then_referred(session):
         assert expected in result.notes
 
 
-def test_what_was_measured_is_not_replaced(session):
+def test_measured_values_are_not_replaced(session):
     result = ready_shots(session, only="7i", assume={"toe": "9 mm", "face": 0.5})
     np.testing.assert_allclose(result.deliveries["toe"], [0.009, 0.004], rtol=1e-14)
     assert ("value-stated-not-used", {"quantity": "face", "stated": "0.5 rad"}) in result.notes

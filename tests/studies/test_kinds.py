@@ -256,7 +256,7 @@ def test_a_study_of_motion_capture_is_that_of_the_package(tmp_path):
         ("capture", "swing = 1", "swing = [1]", "swing is held and swept"),
     ],
 )
-def test_what_is_wrong_is_reported_with_its_file(tmp_path, name, table, sweep, words):
+def test_mistakes_in_a_study_are_reported_with_their_file(tmp_path, name, table, sweep, words):
     with pytest.raises(FileError, match=words):
         computed(tmp_path, name, table, sweep)
 
@@ -273,7 +273,7 @@ def test_what_is_wrong_is_reported_with_its_file(tmp_path, name, table, sweep, w
         ("optimise", 'file = "better.toml"', "starts = [0]", "starts is 0; it must be a whole number from 1"),
     ],
 )
-def test_what_counts_is_whole_and_within_limits(tmp_path, name, table, sweep, words):
+def test_counts_are_whole_and_within_limits(tmp_path, name, table, sweep, words):
     (tmp_path / "better.toml").write_text(BETTER)
     with pytest.raises(FileError, match=words):
         computed(tmp_path, name, table, sweep)

@@ -97,7 +97,7 @@ def test_a_run_without_a_result_leaves_what_others_have_finished(tmp_path, monke
     assert studies.status(path, check=True).done == 5
 
 
-def test_what_is_finished_is_not_computed_again(tmp_path):
+def test_finished_chunks_are_not_computed_again(tmp_path):
     path = squares(tmp_path)
     assert studies.run(path, workers=1).computed == 20
     stamps = [part(path, chunk).stat().st_mtime_ns for chunk in range(20)]

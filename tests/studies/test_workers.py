@@ -99,7 +99,7 @@ def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
     assert sums(path) == undisturbed
 
 
-def test_what_a_chunk_cannot_do_ends_the_run_and_keeps_the_others(tmp_path):
+def test_an_error_in_a_chunk_ends_the_run_and_keeps_the_others(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1, shard="1/2")
     (tmp_path / "squares.store" / "parts" / "0000" / "00000005.parquet").mkdir()

@@ -65,7 +65,7 @@ def test_a_page_of_another_site_is_refused_though_it_knows_the_token(studio, hea
     assert (answer.status_code, answer.json()["where"]) == (403, header)
 
 
-def test_the_address_without_its_last_stroke_leads_on(studio):
+def test_the_address_without_its_last_slash_redirects(studio):
     answer = studio.get(f"http://{HOST}/{TOKEN}")
     assert (answer.status_code, answer.headers["location"]) == (307, f"/{TOKEN}/")
 

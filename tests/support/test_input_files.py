@@ -89,7 +89,7 @@ def test_files_of_one_name_are_distinguished_by_their_folders():
     assert short_names(["anna.toml", "sub/anna.toml"]) == ["anna.toml", "sub/anna.toml"]
 
 
-def test_what_came_with_the_package_is_recorded_as_such():
+def test_files_of_the_package_are_recorded_as_such():
     with InputRecord().active():
         clubface.Club.builtin("driver")
         (only,) = recorded_files()

@@ -264,7 +264,7 @@ def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_
     assert 0.004 < loss < 0.012
 
 
-def test_what_other_models_computed_is_shown_but_judges_no_model():
+def test_figures_computed_by_other_models_are_shown_but_not_judged():
     result = validate("standard", checks=["curvature", "toe-hits"])
     assert result.verdict("standard").of == len(result.summary("standard", "toe-hits"))
     assert {each.certainty for each in result.figures["standard"]["curvature"]} == {A_MODEL}

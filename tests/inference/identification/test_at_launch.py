@@ -132,7 +132,7 @@ def test_what_measurement_alone_explains_holds_the_noise_of_the_launch_that_is_m
     assert at_launch.floor["backspin"] > 1.3 * clubface.evaluate(shots, **how).floor["backspin"]
 
 
-def test_what_is_met_cannot_be_compared_and_must_have_been_measured(radar):
+def test_matched_quantities_must_be_measured_and_are_not_compared(radar):
     with pytest.raises(InputError, match="launch"):
         clubface.identify(radar, **QUICK, compared_at="launch", quantities=["backspin", "launch"])
     with pytest.raises(InputError, match="compared_at"):

@@ -108,7 +108,7 @@ def test_shots_that_count_twice_cost_what_two_shots_do():
     )
 
 
-def test_what_cannot_be_a_cost_is_named():
+def test_impossible_costs_are_refused_by_name():
     with pytest.raises(UnknownNameError, match="publshed"):
         cost_of("publshed", MEASURED, NAMES)
     with pytest.raises(UnknownNameError, match="median"):

@@ -22,7 +22,7 @@ def test_each_figure_is_that_of_its_definition():
     assert result.mae_holdout == pytest.approx((2.0 + 1.0 + 3.0) / 3.0)
 
 
-def test_what_one_shot_or_no_fold_cannot_tell_is_not_known():
+def test_figures_that_need_more_shots_or_folds_are_nan():
     result = _deviation(MEASURED[:1], FITTED[:1], BEFORE[:1], None)
     assert (result.mae, result.bias) == (1.0, 1.0)
     assert np.isnan(result.std)

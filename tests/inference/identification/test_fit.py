@@ -199,7 +199,7 @@ def test_the_best_of_a_population_come_first():
     assert Population(1, points, np.array([3.0, 1.0, np.inf, 2.0])).best(2).tolist() == [[2.0, 3.0], [6.0, 7.0]]
 
 
-def test_what_changes_no_launch_is_proven_and_named():
+def test_parameters_without_effect_are_proven_and_named():
     """In the area model shear modulus G and Poisson's ratio nu enter as G / (1 - nu) alone (published Eq. 15)."""
     shots = recorded(20, "area")
     simulator, cost, point = fitted(shots, "area", free=["shear_modulus", "poisson", "damping"])
@@ -282,7 +282,7 @@ def test_without_a_bootstrap_the_errors_are_those_of_the_cost_that_is_minimised(
     assert np.all(errors_of_minimum(simulator, published_, point, identified) > 1.01 * absolute)
 
 
-def test_what_changes_no_launch_has_no_error_by_any_cost():
+def test_parameters_without_effect_have_no_standard_error():
     simulator, cost, point = fitted(recorded(20, "area"), "area", free=["shear_modulus", "poisson", "damping"])
     identified = identifiability(simulator, point, noise_of(simulator.shots.quantities))
     assert np.isfinite(errors_of_minimum(simulator, cost, point, identified)).tolist() == [False, False, True]

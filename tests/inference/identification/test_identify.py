@@ -71,7 +71,7 @@ def test_a_fit_begins_with_the_shots_of_the_parameters_it_is_given(model, parame
         assert again == pytest.approx(clubface.impact(head, **shot, parameters=parameters).ball_speed, rel=1e-6)
 
 
-def test_what_cannot_be_recovered_is_reported_and_the_rest_recovered():
+def test_unidentifiable_parameters_are_reported_and_the_rest_recovered():
     """The shear modulus G and Poisson's ratio nu of the area model enter as G / (1 - nu) alone."""
     result = clubface.identify(recorded(30, "area"), club="driver", model="area", **QUICK)
     values, true = result.parameters.values, published("area").values

@@ -60,7 +60,7 @@ def test_a_meshed_ball_is_hit_by_finite_elements(write, tmp_path):
     assert smash["modern"] < smash["reference"] - 0.05
 
 
-def test_what_is_not_used_is_passed_through_untouched(write, tmp_path):
+def test_unused_columns_are_passed_through_untouched(write, tmp_path):
     text = 'club_speed_mph,"note, long",x\n 113 ,"he said ""so""\nand left",  007\n'
     predict(write(text.replace("\n", "\r\n")), club="driver", output=tmp_path / "out.csv", carry=False)
     body = (tmp_path / "out.csv").read_bytes().decode()
@@ -281,7 +281,7 @@ def test_a_pipe_is_refused(tmp_path):
     os.close(writer)
 
 
-def test_names_left_out_stand_beside_the_file(write, tmp_path):
+def test_default_names_are_beside_the_input(write, tmp_path):
     report = predict(write(GOOD + "c,bad,1,2,3\n"), club="driver")
     assert report.output == str(tmp_path / "shots-launches.csv")
     assert report.rejects == str(tmp_path / "shots-launches.rejects.csv")

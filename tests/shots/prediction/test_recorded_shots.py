@@ -69,7 +69,7 @@ def test_only_chosen_rows_are_written_as_they_stand(shots):
     assert [(each["fulfil"], each["shots"]) for each in noted(report, "condition-fulfilled")] == [(2, 4)]
 
 
-def test_what_was_not_measured_is_rejected_unless_a_value_is_stated(shots):
+def test_unmeasured_rows_are_rejected_unless_a_value_is_stated(shots):
     report = predict(shots, club="driver", only="Driver")
     assert report.first_rejects == ((5, 'toe_mm: not measured; --assume "toe=..." states a value'),)
     stated = predict(shots, club="driver", only="Driver", assume={"toe": "0 mm", "closure": "2000 deg/s"})
@@ -83,7 +83,7 @@ def test_what_was_not_measured_is_rejected_unless_a_value_is_stated(shots):
     assert column(stated.output, "predicted_azimuth_deg")[2] != pytest.approx(before, abs=0.01)  # the face closes
 
 
-def test_rows_and_results_stay_together_beside_rows_that_are_left_out(write):
+def test_rows_keep_their_results_when_others_are_left_out(write):
     lines = CONTACT.splitlines()
     source = write("\n".join([lines[0], lines[3], lines[4], lines[1], lines[3], lines[2]]))
     report = predict(source, club="driver", only="Dr")
@@ -117,7 +117,7 @@ def test_shots_of_another_club_are_refused_or_noted(shots, write):
         assert "club-may-be-other" in codes(report)
 
 
-def test_a_table_of_plain_deliveries_is_no_recorded_one(write):
+def test_a_table_of_deliveries_is_not_treated_as_recorded_shots(write):
     """It names no club, so that nothing can be of another one: a 7-iron's loft on a driver is a question."""
     report = predict(write("club_speed_mph,loft_deg\n100,31\n"), club="driver")
     assert (report.written, report.notes) == (1, ())

@@ -22,14 +22,14 @@ SUMMED_UP = {
 
 
 @pytest.mark.parametrize("text", SUMMED_UP.values(), ids=SUMMED_UP)
-def test_no_launch_is_computed_of_an_average(text, write, tmp_path):
+def test_no_launch_is_computed_for_an_average(text, write, tmp_path):
     report = predict(write(text), club="driver", output=tmp_path / "out.csv", carry=False)
     assert (report.rows, report.written, report.rejected) == (4, 2, 2)
     assert [line for line, reason in report.first_rejects if "sums up" in reason] == [4, 5]
 
 
 @pytest.mark.parametrize("text", SUMMED_UP.values(), ids=SUMMED_UP)
-def test_an_average_is_no_task_of_a_study(text, write, tmp_path):
+def test_an_average_is_refused_in_a_study(text, write, tmp_path):
     path = write(text)
     (tmp_path / "study.toml").write_text(
         f'[study]\ndesign = "table"\n[impact]\nclub = "driver"\n[sweep]\ntable = "{path.name}"\n'
