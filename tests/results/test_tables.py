@@ -84,16 +84,18 @@ def test_a_table_in_a_file_reads_back_to_the_last_digit(tmp_path, ending):
     assert math.isnan(frame["carry_m"][1])
 
 
-def test_columns_of_different_lengths_are_refused():
+def test_unequal_columns_and_notes_without_sentence_or_data_are_refused():
     with pytest.raises(ValueError, match="lengths"):
         table("shots", column("carry", [1.0]), column("side", [1.0, 2.0]))
-
-
-def test_a_note_without_a_sentence_or_its_data_is_refused():
     with pytest.raises(UnknownNameError):
         note("no-such-note")
     with pytest.raises(KeyError):
         _ = note("shot-launch", ball_speed=70.0).sentence
+
+
+def test_equal_notes_count_once():
+    some = [note("marks-read", column="Spin"), note("marks-read", column="Spin"), note("marks-read", column="Axis")]
+    assert len(dict.fromkeys(some)) == 2
 
 
 def test_a_sentence_says_quantities_in_the_units_people_read():
@@ -134,11 +136,6 @@ def test_a_note_says_in_which_files_and_shots_it_is_true_and_keeps_its_code():
     local = general.of(in_shots=2, of_shots=5).of(at_line=7).of(in_files=["a.csv", "b.csv"])
     assert str(local) == f"a.csv, b.csv: line 7: {general} (in 2 of 5 shots)"
     assert (local.code, local.to_dict()["data"]["in_files"]) == ("marks-read", ["a.csv", "b.csv"])
-
-
-def test_equal_notes_count_once_and_notes_of_other_data_do_not():
-    some = [note("marks-read", column="Spin"), note("marks-read", column="Spin"), note("marks-read", column="Axis")]
-    assert len(dict.fromkeys(some)) == 2
 
 
 def test_counts_agree_with_their_words():

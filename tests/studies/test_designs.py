@@ -62,9 +62,26 @@ def test_a_number_of_things_is_not_swept_in_parts(how):
         axis("swing", how, Swept("1", limits=(0, 10**9)))
 
 
-def test_values_of_more_digits_than_a_float_holds_are_evenly_spaced_too():
-    made = axis("speed", {"from": "0.12345678901234567890 m/s", "to": "1 m/s", "count": 3}, SPEED)
-    np.testing.assert_allclose(made.at(np.arange(3)), [0.12345678901234568, 0.5617283945061728, 1.0], rtol=1e-15)
+@pytest.mark.parametrize(
+    ("how", "values"),
+    [
+        (
+            {"from": "0.12345678901234567890 m/s", "to": "1 m/s", "count": 3},
+            [0.12345678901234568, 0.5617283945061728, 1.0],
+        ),
+        ({"from": "90 mph", "to": "90 mph", "step": "1 mph"}, [to_si(90.0, "mph")]),
+        *(
+            ({"from": "90 mph", "to": f"{last} mph", "step": "0.1 mph"},
+             to_si(np.linspace(90.0, last, 10 * (last - 90) + 1), "mph"))
+            for last in (100, 113, 120)
+        ),
+    ],
+    ids=["more digits than a float", "one value", "to 100 mph", "to 113 mph", "to 120 mph"],
+)  # fmt: skip
+def test_an_axis_holds_both_ends_in_spite_of_rounding(how, values):
+    made = axis("speed", how, SPEED)
+    assert made.count == len(values)
+    np.testing.assert_allclose(made.at(np.arange(made.count)), values, rtol=1e-14)
 
 
 @pytest.mark.parametrize("method", ["sobol", "latin-hypercube"])
@@ -94,11 +111,6 @@ def test_a_step_of_a_temperature_is_a_difference(how, unit, degrees):
     np.testing.assert_allclose(made.at(np.arange(made.count)), to_si(np.array(degrees, dtype=float), unit), atol=1e-10)
 
 
-def test_an_axis_that_ends_where_it_begins_has_one_value():
-    made = axis("speed", {"from": "90 mph", "to": "90 mph", "step": "1 mph"}, SPEED)
-    assert made.at(np.arange(made.count)).tolist() == [to_si(90.0, "mph")]
-
-
 def test_units_are_mixed_between_the_ends_and_the_step():
     made = axis("speed", {"from": "90 mph", "to": "53.6448 m/s", "step": "0.44704 m/s"}, SPEED)
     np.testing.assert_allclose(made.at(np.arange(made.count)), to_si(np.arange(90.0, 121.0), "mph"), rtol=1e-12)
@@ -123,12 +135,6 @@ def test_units_are_mixed_between_the_ends_and_the_step():
 def test_a_step_that_does_not_end_at_the_last_value_is_refused(how, words):
     with pytest.raises(InputError, match=words):
         axis("speed", how, SPEED)
-
-
-def test_steps_reach_the_last_value_in_spite_of_the_rounding_of_units():
-    for last in (100, 113, 120):
-        made = axis("speed", {"from": "90 mph", "to": f"{last} mph", "step": "0.1 mph"}, SPEED)
-        assert made.count == 10 * (last - 90) + 1
 
 
 def test_a_grid_changes_its_last_input_first():
