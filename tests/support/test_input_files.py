@@ -180,13 +180,6 @@ def special(kind, folder):
 KINDS = ("loop", "folder", "pipe", "no end", "not UTF-8", "long", "under a file", "zero")
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name")
-@pytest.mark.parametrize("kind", KINDS)
-def test_a_missing_file_has_no_content_not_even_an_empty_one(kind, tmp_path):
-    with pytest.raises(FileError):
-        read_input(special(kind, tmp_path))
-
-
 COMMANDS = {
     "shot": ("shot", "FILE", "--speed", "50 m/s"),
     "ball": ("shot", "driver", "--speed", "50 m/s", "--ball", "FILE"),
@@ -214,7 +207,7 @@ COMMANDS = {
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name")
 @pytest.mark.parametrize("command", COMMANDS)
-def test_what_is_no_file_costs_one_line(command, tmp_path, clubface_):
+def test_every_command_refuses_what_is_no_file_in_one_line(command, tmp_path, clubface_):
     for kind in KINDS:
         folder = tmp_path / kind
         folder.mkdir()
