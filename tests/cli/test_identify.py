@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-import signal
-import subprocess
 import sys
 import time
 from glob import glob
@@ -14,7 +12,8 @@ from pathlib import Path
 import pytest
 
 import clubface
-from command_line import MAIN, assert_mistake
+from clubface.errors import ClubfaceError
+from command_line import MAIN, assert_mistake, interruptible, press_ctrl_c
 from synthetic_shots import recorded
 
 pytest.importorskip("typer")
@@ -65,6 +64,21 @@ def test_the_fit_is_drawn(clubface_, drives):
     assert ran.status == 0
     with open("fit.PNG", "rb") as file:
         assert file.read(4) == b"\x89PNG"
+
+
+def test_what_is_kept_has_a_name_that_every_system_takes(clubface_, drives, monkeypatch):
+    """Windows takes none of these signs, and hides what follows a colon."""
+    Path("own.toml").write_text(clubface.Club.template('my "<9|8>*?": 1/2'), encoding="utf-8")
+    names = []
+
+    def stopped(*_, checkpoint, **__):
+        names.append(checkpoint)
+        raise ClubfaceError("that is all")
+
+    monkeypatch.setattr("clubface.inference.identification.run.identify", stopped)
+    assert_mistake(clubface_("identify", drives, "--club", "own.toml", "--model", "slip"), "that is all")
+    assert names[0].startswith("drives-my ")
+    assert not set('<>:"/\\|?*') & set(names[0])
 
 
 def test_options_reach_the_fit(clubface_, drives):
@@ -133,13 +147,11 @@ def test_ctrl_c_keeps_what_is_finished_and_resume_goes_on(clubface_, drives):
     arguments = ("identify", drives, "--club", "driver", "--model", "area", "--population", "40", "--generations",
                  "120", "--refined", "1", "--folds", "0", "--bootstrap", "0", "--no-profiles")  # fmt: skip
     kept = "drives-driver-area.checkpoint"
-    with subprocess.Popen(
-        [sys.executable, "-c", MAIN, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
+    with interruptible([sys.executable, "-c", MAIN, *arguments]) as process:
         deadline = time.monotonic() + 60.0
         while not glob(f"{kept}/values.jsonl") and time.monotonic() < deadline:
             time.sleep(0.02)
-        process.send_signal(signal.SIGINT)
+        press_ctrl_c(process)
         out, err = process.communicate(timeout=30)
     assert process.returncode == 130
     assert out == ""

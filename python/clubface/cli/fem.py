@@ -13,7 +13,7 @@ from clubface.cli.failures import Interrupted, print_note, print_written
 from clubface.cli.output import progress_bar, run_with_progress
 from clubface.errors import ClubfaceError, InputError, RunError, Wording
 from clubface.support.checks import check_choice, check_count
-from clubface.support.files import prepared_folder
+from clubface.support.files import file_stem, prepared_folder
 from clubface.units import fixed
 
 if TYPE_CHECKING:
@@ -280,7 +280,7 @@ def export(
     chosen = cases.case(case)
     target = prepared_folder(folder)
     if form == "lsdyna":
-        print_written([keyword.write(chosen, target / f"{files.file_stem(chosen.name)}.k")])
+        print_written([keyword.write(chosen, target / f"{file_stem(chosen.name)}.k")])
         return
     impact = run_with_progress(chosen.replace(settings={"frames": chosen.settings.frames or 51, "fields": True}).run)
     print_written(files.write_series(impact, target, chosen.name)[-1:])

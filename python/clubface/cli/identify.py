@@ -13,7 +13,7 @@ from clubface.cli.output import progress_bar
 from clubface.cli.recorded import RECORDED, recorded_shots
 from clubface.equipment.models import model as model_named
 from clubface.errors import ClubfaceError, InputError
-from clubface.support.files import write_text
+from clubface.support.files import file_stem, write_text
 
 app = typer.Typer(add_completion=False)
 
@@ -80,7 +80,7 @@ def identify(
     recorded = recorded_shots(shots, texts)
     head = recorded.club
     free = options.names(texts["free"])
-    kept = texts["checkpoint"] or f"{Path(shots).stem}-{head.name}-{model}.checkpoint".replace("/", " ")
+    kept = texts["checkpoint"] or f"{file_stem(f'{Path(shots).stem}-{head.name}-{model}')}.checkpoint"
     with progress_bar(lambda done, whole, stage, best: f"{stage}, {done} of {whole}, least cost {best:.6g}") as update:
         identification = fit(
             recorded, club=head, model=model, parameters=options.one_set(head, texts),

@@ -12,9 +12,9 @@ import numpy as np
 from clubface.errors import InputError
 from clubface.fem.heads import MeshedHead, ShellHead, SolidHead
 from clubface.fem.result import Impact, turned
-from clubface.support.files import whole_file, write_text
+from clubface.support.files import file_stem, whole_file, write_text
 
-__all__ = ["file_stem", "write_series"]
+__all__ = ["write_series"]
 
 COLLECTION = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" byte_order="LittleEndian">\n'
 PARAVIEW = [0, 1, 2, 3, 5, 4]
@@ -112,9 +112,3 @@ def _cell_stress(impact: Impact, frame: int, cells: list[int]) -> dict[str, list
             ends = np.cumsum(cells)[:-1] if fields is impact.head_fields else []
             data.setdefault(name, []).extend(np.split(array.astype("float32"), ends))
     return data
-
-
-def file_stem(name: str) -> str:
-    """Return ``name`` with characters that file names cannot contain replaced by hyphens."""
-    kept = "".join(letter if letter.isalnum() or letter in "-_ ." else "-" for letter in name).strip(" .")
-    return kept[:100] or "case"
