@@ -4,11 +4,13 @@ import ast
 import errno
 import os
 import stat
+import sys
 
 import pytest
 
 from clubface.errors import FileError
 from clubface.jobs.store import fingerprint
+from clubface.support import files
 from clubface.support.files import whole_file, whole_text, write_text
 from package_sources import trees
 
@@ -58,6 +60,28 @@ def test_a_write_that_fails_at_the_end_is_reported_and_keeps_the_old_file(tmp_pa
     assert os.listdir(tmp_path) == ["a.csv"]
 
 
+def test_a_file_that_another_program_reads_is_replaced_once_it_is_closed(tmp_path, monkeypatch):
+    path, replace, tries = write_text(tmp_path / "a.csv", "before"), os.replace, []
+
+    def in_use(*names):
+        tries.append(names)
+        if len(tries) % 4:
+            error = PermissionError(errno.EACCES, "Access is denied")
+            error.winerror = 5
+            raise error
+        replace(*names)
+
+    monkeypatch.setattr(os, "replace", in_use)
+    monkeypatch.setattr(files, "PATIENCE", 10.0)
+    assert write_text(path, "after").read_text() == "after"
+    monkeypatch.setattr(files, "PATIENCE", 0.0)
+    with pytest.raises(FileError, match=r"a\.csv: cannot be written: Access is denied; close it in other programs"):
+        write_text(path, "later")
+    assert path.read_text() == "after"
+    assert os.listdir(tmp_path) == ["a.csv"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there, and pipes have no names in folders")
 def test_links_are_followed_and_devices_and_folders_are_not_replaced(tmp_path):
     path = write_text(tmp_path / "a.csv", "before")
     link = tmp_path / "link.csv"

@@ -35,6 +35,8 @@ from clubface.support.files import unreadable, unwritable
 
 DELIVERY = tuple(name for name in inputs() if name != HAND)
 """Club quantities a monitor may measure."""
+BINARY = getattr(os, "O_BINARY", 0)
+"""Without it Windows would end each line in two characters."""
 LARGEST = 200_000_000
 """Maximum size of a file of live shots [bytes], some hundred thousand shots."""
 
@@ -75,7 +77,7 @@ class LiveShots:
         self._lock = Lock(Path(f"{path}.lock"), self.path)
         try:
             self.damaged = self._read()
-            self._file = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+            self._file = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | BINARY, 0o666)
         except OSError as error:
             self._lock.close()
             raise unwritable(self.path, error) from None

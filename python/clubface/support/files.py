@@ -14,8 +14,10 @@ import hashlib
 import io
 import os
 import stat
+import sys
 import tempfile
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -280,6 +282,12 @@ def short_names(paths: Sequence[str]) -> list[str]:
     return names
 
 
+def file_stem(name: str) -> str:
+    """Return ``name`` with characters that file names cannot contain replaced by hyphens."""
+    kept = "".join(letter if letter.isalnum() or letter in "-_ ." else "-" for letter in name).strip(" .")
+    return kept[:100] or "case"
+
+
 def absolute(path: str | os.PathLike[str]) -> str:
     """Return an absolute path; symbolic links in it are kept."""
     return os.fspath(Path.cwd() / path)
@@ -327,7 +335,7 @@ def _load(name: str, most: int) -> InputFile:
 def unreadable(name: str, error: Exception) -> FileError:
     """Return the error for a file that cannot be read."""
     reason = getattr(error, "strerror", None) or str(error)
-    if isinstance(error, IsADirectoryError):
+    if os.path.isdir(name):  # which Windows calls a lack of rights
         reason = "this is a folder"
     elif "\0" in name:
         reason = "a file name cannot contain the character \\u0000"
@@ -424,7 +432,26 @@ def unwritable(path: Name, error: OSError) -> FileError:
     """Return the error for a file that cannot be written."""
     if isinstance(error, FileExistsError):
         return FileError(os.fspath(path), None, "this file exists already; it is left as it is")
-    return FileError(os.fspath(path), None, f"cannot be written: {error.strerror or error}")
+    hint = "; close it in other programs" if getattr(error, "winerror", None) in IN_USE else ""
+    return FileError(os.fspath(path), None, f"cannot be written: {error.strerror or error}{hint}")
+
+
+IN_USE = (5, 32)
+"""How Windows refuses to replace a file that another program has opened: access denied, sharing violation."""
+PATIENCE = 2.0 if sys.platform == "win32" else 0.0
+"""Time [s] that such a program has to close it: those of this package read a file and close it at once."""
+
+
+def _replaced(fresh: Path, target: Path) -> None:
+    """Give a file the name of another."""
+    ends = time.monotonic() + PATIENCE
+    while True:
+        try:
+            return os.replace(fresh, target)
+        except PermissionError:
+            if time.monotonic() >= ends:
+                raise
+        time.sleep(0.01)
 
 
 @contextmanager
@@ -461,14 +488,14 @@ def whole_file(path: Name, *, folder: Path | None = None, new: bool = False) -> 
         with file:
             yield file
             file.flush()
-            if mode is not None:
+            if mode is not None and os.name != "nt":  # which has no rights but to write, or else nothing is replaced
                 os.chmod(fresh, mode)
             os.fsync(file.fileno())
         if new:
             os.link(fresh, target)
             os.unlink(fresh)
         else:
-            os.replace(fresh, target)
+            _replaced(fresh, target)
         synced(target.parent)
     except BaseException as error:
         with suppress(OSError):

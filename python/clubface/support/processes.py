@@ -119,7 +119,8 @@ class IsolatedProcess:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
                 env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "OPENBLAS_NUM_THREADS": "1"},
-                start_new_session=True,  # Ctrl-C is for the caller, which then ends it
+                start_new_session=True,  # Ctrl-C is for the caller, which then ends it; so it is
+                creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # on Windows
             )
             atexit.register(self._end)
         return self._process
@@ -180,6 +181,11 @@ def check_request(shots: int, bytes_a_shot: int) -> None:
 
 
 def _of_system() -> int:
+    if sys.platform == "win32":
+        import ctypes
+
+        status = (ctypes.c_uint64 * 8)(64)  # a MEMORYSTATUSEX, which begins with its own size
+        return status[2] if ctypes.windll.kernel32.GlobalMemoryStatusEx(status) else UNKNOWN
     try:
         for line in Path("/proc/meminfo").read_text().splitlines():
             if line.startswith("MemAvailable:"):
