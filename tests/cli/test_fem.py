@@ -2,8 +2,6 @@
 
 import json
 import re
-import signal
-import subprocess
 import sys
 import time
 
@@ -13,7 +11,7 @@ import pytest
 import clubface
 from clubface import fem
 from clubface.errors import InputError, UnknownNameError
-from command_line import MAIN, assert_mistake
+from command_line import MAIN, assert_mistake, interruptible, press_ctrl_c
 from fem_runs import write_case
 
 pytest.importorskip("typer")
@@ -173,12 +171,12 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path):
     command = [sys.executable, "-c", MAIN, "fem", "run", str(path), "--frames", "5000", "-o"]
     for patience in (1.0, 4.0, 12.0):  # until the run itself has begun, however busy the machine
         out = tmp_path / f"out-{patience:.0f}"
-        with subprocess.Popen([*command, str(out)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        with interruptible([*command, str(out)]) as child:
             started = time.monotonic()
             while not out.exists() and child.poll() is None and time.monotonic() - started < 30:
                 time.sleep(0.02)
             time.sleep(patience)
-            child.send_signal(signal.SIGINT)
+            press_ctrl_c(child)
             _, message = child.communicate()
         assert child.returncode == 130
         assert message.splitlines()[-1].startswith("clubface: interrupted")
@@ -194,9 +192,9 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path):
 @pytest.mark.parametrize("patience", [0.3, 0.45, 0.6])
 def test_ctrl_c_while_a_head_is_meshed_is_one_line(patience):
     command = [sys.executable, "-c", MAIN, "fem", "head", "paper"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+    with interruptible(command) as child:
         time.sleep(patience)
-        child.send_signal(signal.SIGINT)
+        press_ctrl_c(child)
         _, message = child.communicate()
     # Whenever it comes, it must not break what the core is making; the words may still be those of Python.
     assert "panicked" not in message, message

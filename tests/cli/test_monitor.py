@@ -4,8 +4,6 @@ import csv
 import json
 import os
 import re
-import signal
-import subprocess
 import sys
 import threading
 import time
@@ -18,7 +16,7 @@ from clubface import shots as launch_monitor
 from clubface.jobs.lock import Lock
 from clubface.shots.open_connect import Listener, Sender
 from clubface.shots.reading import read_shots
-from command_line import MAIN, assert_mistake
+from command_line import MAIN, assert_mistake, interruptible, press_ctrl_c
 
 pytestmark = pytest.mark.filterwarnings("ignore::clubface.errors.RuleWarning")
 
@@ -148,11 +146,8 @@ def test_a_backspin_and_its_axis_are_sent_as_the_whole_vector(clubface_, tmp_pat
 
 def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path):
     path = tmp_path / "live.csv"
-    child = subprocess.Popen(
-        [sys.executable, "-c", MAIN, "monitor", "listen", "--port", "0", "-o", str(path), "--json", "--hand", "left"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
+    child = interruptible(
+        [sys.executable, "-c", MAIN, "monitor", "listen", "--port", "0", "-o", str(path), "--json", "--hand", "left"]
     )
     try:
         port = int(re.search(r":(\d+);", child.stderr.readline())[1])
@@ -166,7 +161,7 @@ def test_a_listening_process_keeps_every_shot_and_ends_on_an_interrupt(tmp_path)
                 assert "total_spin" not in json.loads(child.stdout.readline())
             assert sender.player["Handed"] == "LH"
         shots = read_shots(path)
-        child.send_signal(signal.SIGINT)
+        press_ctrl_c(child)
         _, message = child.communicate(timeout=20)
     finally:
         child.kill()

@@ -2,7 +2,6 @@
 
 import json
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -10,7 +9,7 @@ import time
 import pytest
 
 import clubface
-from command_line import MAIN, process
+from command_line import MAIN, interruptible, press_ctrl_c, process
 
 pytest.importorskip("typer")
 pytest.importorskip("rich")
@@ -72,11 +71,32 @@ def test_a_terminal_without_greek_letters_gets_its_table():
     assert "-----" in ran.stdout
 
 
+def test_what_goes_to_a_file_is_utf_8_whatever_the_system_takes_for_usual(write, tmp_path):
+    """Windows takes its code page, and systems without a language take ASCII, which have no such letters."""
+    name = "Größe 東京"
+    club = write(clubface.Club.template(name).replace("5679 g cm2", "6400 g cm2"), "big.toml")
+    usual = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    command = [sys.executable, "-c", MAIN, "shot", str(club), "--speed", "113 mph", "--json"]
+    ran = subprocess.run(command, env=os.environ | usual, capture_output=True, check=True)
+    assert name in json.loads(ran.stdout.decode("utf-8"))["title"]
+    assert f"note: {name}: moment of inertia" in ran.stderr.decode("utf-8")
+
+
+def test_a_command_is_told_as_the_shell_of_the_system_takes_it(monkeypatch, tmp_path):
+    from clubface.cli import app
+
+    app.remember(["shot", str(tmp_path / "my club.toml"), "--speed", "113 mph", "--toe", "5mm"])
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert app.command() == 'clubface shot "my club.toml" --speed "113 mph" --toe 5mm'
+    monkeypatch.setattr(sys, "platform", "linux")
+    assert app.command() == "clubface shot 'my club.toml' --speed '113 mph' --toe 5mm"
+
+
 def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
     source, target = tmp_path / "in.csv", tmp_path / "out.csv"
     source.write_text("club_speed_mph\n" + "113\n" * 300_000)
     command = [sys.executable, "-c", MAIN, "predict", str(source), "--club", "driver", "--model", "rings"]
-    with subprocess.Popen([*command, "-o", str(target)], stderr=subprocess.PIPE, text=True) as child:
+    with interruptible([*command, "-o", str(target)]) as child:
         started = time.monotonic()
         while (
             not (tmp_path / "out.csv.unfinished" / "values.jsonl").exists()
@@ -84,7 +104,7 @@ def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):
             and time.monotonic() - started < 30
         ):
             time.sleep(0.02)
-        child.send_signal(signal.SIGINT)
+        press_ctrl_c(child)
         assert child.stderr is not None
         message = child.stderr.read()
     assert child.returncode == 130

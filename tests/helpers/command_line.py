@@ -1,12 +1,38 @@
 """Running the command line in tests, in this process or in one of its own."""
 
 import json
+import signal
 import subprocess
 import sys
 
 import pytest
 
 MAIN = "from clubface.cli import main; main()"
+KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
+"""Ends a process at once, as any signal does on Windows."""
+PRESS = """
+import ctypes, sys
+kernel = ctypes.windll.kernel32
+kernel.FreeConsole()
+kernel.AttachConsole(int(sys.argv[1]))
+kernel.SetConsoleCtrlHandler(None, True)
+sys.exit(not kernel.GenerateConsoleCtrlEvent(0, 0))
+"""
+
+
+def interruptible(command, **options):
+    """Start a process in whose terminal Ctrl-C can be pressed; what it writes is text from pipes."""
+    # On Windows Ctrl-C reaches all processes of a terminal: this one gets a terminal of its own.
+    own = {"creationflags": getattr(subprocess, "CREATE_NO_WINDOW", 0), "encoding": "utf-8"}
+    return subprocess.Popen(command, **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **own, **options})
+
+
+def press_ctrl_c(child):
+    """Press Ctrl-C in the terminal of a process that :func:`interruptible` has started."""
+    if sys.platform == "win32":
+        subprocess.run([sys.executable, "-c", PRESS, str(child.pid)], check=True)
+    else:
+        child.send_signal(signal.SIGINT)
 
 
 class Ran:

@@ -5,6 +5,8 @@ import signal
 import time
 from pathlib import Path
 
+from command_line import KILL
+
 
 def square(number):
     return [number, number**2 / 7.0]
@@ -20,12 +22,12 @@ def dies_once(folder, number):
     mark = Path(folder) / str(number)
     if number % 3 == 0 and not mark.exists():
         mark.touch()
-        os.kill(os.getpid(), signal.SIGKILL)
+        os.kill(os.getpid(), KILL)
     return square(number)
 
 
 def dies(number):
-    os.kill(os.getpid(), signal.SIGKILL)
+    os.kill(os.getpid(), KILL)
 
 
 def lacks_memory(number):

@@ -2,11 +2,10 @@
 
 import os
 import re
-import subprocess
 import sys
 import time
 
-from command_line import MAIN
+from command_line import MAIN, interruptible
 
 TOKEN = "a-token-for-tests"
 HOST = "127.0.0.1:8642"
@@ -43,10 +42,8 @@ class Served:
     def __init__(self, folder, *options):
         environment = {**os.environ, "CLUBFACE_STUDIO_SITE": str(made_site(folder / "site"))}
         command = [sys.executable, "-c", MAIN, "studio", "--port", "0", *options]
-        self.errors = open(folder / f"errors-{time.monotonic_ns()}.txt", "w+")  # noqa: SIM115, closed by end()
-        self.process = subprocess.Popen(
-            command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=self.errors, text=True
-        )
+        self.errors = open(folder / f"errors-{time.monotonic_ns()}.txt", "w+", encoding="utf-8")  # noqa: SIM115, closed by end()
+        self.process = interruptible(command, cwd=folder, env=environment, stderr=self.errors)
         self.address = self.process.stdout.readline().strip()
         self.errors.seek(0)
         printed = self.errors.read()

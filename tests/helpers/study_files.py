@@ -1,11 +1,10 @@
 """Files of studies, and what is asked of their stores."""
 
 import os
-import subprocess
 import sys
 
 from clubface import studies
-from command_line import MAIN
+from command_line import MAIN, interruptible
 
 SQUARES = """
 [study]
@@ -53,4 +52,4 @@ def started(*arguments, path=(), **variables):
     """Start a command line in a process of its own, with folders in which Python looks first."""
     environment = {**os.environ, **variables, "PYTHONPATH": os.pathsep.join([*map(str, path), *filter(None, sys.path)])}
     command = [sys.executable, "-c", MAIN, *map(str, arguments)]
-    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return interruptible(command, env=environment)

@@ -1,7 +1,6 @@
 """What is kept of unfinished work: whole, of this work alone, and used by one process at a time."""
 
 import os
-import resource
 import subprocess
 import sys
 
@@ -90,6 +89,7 @@ def test_a_result_that_cannot_be_written_leaves_the_one_before_and_all_parts(fol
 
 
 def test_a_full_disk_costs_no_more_than_what_is_being_written(folder):
+    resource = pytest.importorskip("resource", reason="no files of limited size")
     with Store(folder, {}) as store:
         store.keep("a", 1)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -115,6 +115,7 @@ def test_a_folder_of_something_else_is_left_alone(folder, name):
     assert [each.name for each in folder.iterdir()] == [name]
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not fork")
 def test_work_that_another_process_does_is_left_to_it_and_the_dead_hold_nothing(folder, tmp_path):
     ready, signal_ready = os.pipe()
     child = os.fork()
@@ -150,6 +151,7 @@ def test_a_lock_is_free_once_its_process_is_dead(tmp_path):
 def test_a_lock_whose_file_is_removed_while_it_is_taken_is_taken_on_a_new_one(tmp_path, monkeypatch):
     from clubface.jobs import lock
 
+    pytest.importorskip("fcntl", reason="Windows removes no file that is open")
     path, flock, removed = tmp_path / "lock", lock.fcntl.flock, []
 
     def overtaken(handle, flags):

@@ -1,7 +1,6 @@
 """Threads, processes and clusters compute all parts, replace what dies, and stop at once when they are interrupted."""
 
 import os
-import signal
 import subprocess
 import sys
 import threading
@@ -14,6 +13,7 @@ import job_parts
 from clubface.errors import RunError
 from clubface.jobs import Job, Store, run, workers
 from clubface.jobs.workers import in_processes, in_threads
+from command_line import interruptible, press_ctrl_c
 
 
 @pytest.mark.parametrize(
@@ -103,23 +103,21 @@ with Store(Path(sys.argv[1]), {}) as store:
 """A script, which does not ask whether it is the main program: its workers must not run it again."""
 
 
-@pytest.mark.parametrize("kill", [signal.SIGKILL, signal.SIGINT])
-def test_a_program_that_is_killed_is_gone_on_with_and_leaves_no_process(tmp_path, kill):
+@pytest.mark.parametrize("end", [subprocess.Popen.kill, press_ctrl_c])
+def test_a_program_that_is_killed_is_gone_on_with_and_leaves_no_process(tmp_path, end):
     script, folder = tmp_path / "script.py", tmp_path / "out.unfinished"
     script.write_text(PROGRAM)
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    child = subprocess.Popen(
-        [sys.executable, script, folder], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
+    child = interruptible([sys.executable, script, folder], env=environment)
     ends = time.monotonic() + 30.0
     while not (folder / "values.jsonl").exists() and time.monotonic() < ends:
         time.sleep(0.02)
-    child.send_signal(kill)
+    end(child)
     begun = time.monotonic()
     out, message = child.communicate(timeout=30)  # which waits for every process that holds its output
     assert time.monotonic() - begun < 2.0  # 0.1 s on a machine that has nothing else to do
     assert out == "begun\n"
-    if kill == signal.SIGINT:
+    if end is press_ctrl_c:
         assert "of 200 squares are done; they are in" in message
     with Store(folder, {}) as store:
         assert 0 < len(store.resumed) < 200

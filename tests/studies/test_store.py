@@ -317,6 +317,7 @@ def test_a_chunk_takes_the_time_it_should(tmp_path, monkeypatch, loading, each, 
     assert running.chunk_size(read_study(path), Slow(clock, loading, each)) == size
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name")
 def test_a_pipe_in_the_place_of_a_part_is_refused_and_not_waited_for(tmp_path):
     path = squares(tmp_path)
     studies.run(path, workers=1)

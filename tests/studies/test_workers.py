@@ -11,10 +11,10 @@ import pytest
 
 from clubface import studies
 from clubface.errors import ClubfaceError
+from command_line import press_ctrl_c
 from study_files import shots, squares, started, sums
 
 pytest.importorskip("pyarrow")
-pytestmark = pytest.mark.skipif(not hasattr(os, "killpg"), reason="this system has no such signals")
 
 KILLER = """
 import os, signal
@@ -25,7 +25,7 @@ def killed(source, target, **options):
         number = len(os.listdir(folder))
         open(os.path.join(folder, str(number)), "w").close()
         if number % 3 == 0:
-            os.kill(os.getpid(), signal.SIGKILL)
+            os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
     return replace(source, target, **options)
 os.replace = killed
 """
@@ -65,7 +65,7 @@ def test_workers_killed_between_writing_and_renaming_lose_nothing(tmp_path, undi
     assert left(tmp_path / "squares.store") == []
 
 
-@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs /proc")
+@pytest.mark.skipif(not os.path.exists("/proc/self/task") or os.name == "nt", reason="needs /proc")
 def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
     path = squares(tmp_path, seconds=0.005)
     command, random_, killed = started("study", "run", path, "--workers", "2"), random.Random(1), 0
@@ -80,17 +80,17 @@ def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
     assert sums(path) == undisturbed
 
 
-@pytest.mark.parametrize("kill", [signal.SIGKILL, signal.SIGINT], ids=["SIGKILL", "Ctrl-C"])
-def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, kill):
+@pytest.mark.parametrize("end", [subprocess.Popen.kill, press_ctrl_c])
+def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, end):
     path, store = squares(tmp_path, seconds=0.01), tmp_path / "squares.store"
     command = started("study", "run", path, "--workers", "2")
     ends = time.monotonic() + 30.0
     while len(list(store.rglob("0*.parquet"))) < 3 and time.monotonic() < ends:
         time.sleep(0.02)
-    command.send_signal(kill)
+    end(command)
     begun = time.monotonic()
     _, message = command.communicate(timeout=30)
-    if kill == signal.SIGINT:
+    if end is press_ctrl_c:
         assert command.returncode == 130
         assert "of 20 chunks are done and kept in" in message
         assert time.monotonic() - begun < 2.0  # 0.1 s on a machine that has nothing else to do

@@ -1,7 +1,6 @@
 """Live shots in a process of its own: every tab sees them, and a killed server goes on with all of them."""
 
 import json
-import signal
 import socket
 import threading
 import time
@@ -15,6 +14,7 @@ pytest.importorskip("websockets")
 
 from clubface.shots.messages import ObjectStream
 from clubface.shots.open_connect import Listener, Sender
+from command_line import press_ctrl_c
 from studio_pages import Served
 
 LAUNCH = {"ball_speed": 65.0, "launch": 0.2, "azimuth": 0.0, "backspin": 280.0, "sidespin": 10.0}
@@ -144,7 +144,7 @@ def test_an_interrupt_ends_open_tabs_too_and_says_what_is_kept(tmp_path):
         with Sender(served.ports["open-connect"]) as monitor:
             monitor.send(LAUNCH)
         tab.numbers(1)
-        served.process.send_signal(signal.SIGINT)
+        press_ctrl_c(served.process)
         assert served.process.wait(60) == 130
         served.errors.seek(0)
         *_, last = served.errors.read().splitlines()

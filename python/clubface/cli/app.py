@@ -31,11 +31,17 @@ def remember(arguments: Sequence[str]) -> None:
 
 def command() -> str:
     """Return the command line for repeating the run, with file names without folders."""
-    return shlex.join(["clubface", *(Path(each).name if _is_path(each) else each for each in _ARGUMENTS.get())])
+    words = ["clubface", *(Path(each).name if _is_path(each) else each for each in _ARGUMENTS.get())]
+    if sys.platform == "win32":  # cmd knows double quotes only
+        from subprocess import list2cmdline
+
+        return list2cmdline(words)
+    return shlex.join(words)
 
 
 def _is_path(text: str) -> bool:
-    return os.sep in text and (os.path.isabs(text) or os.path.exists(text) or os.path.isdir(os.path.dirname(text)))
+    folder = os.path.dirname(text)
+    return bool(folder) and (os.path.isabs(text) or os.path.exists(text) or os.path.isdir(folder))
 
 
 COMMANDS = {
@@ -143,6 +149,12 @@ def _prepare_streams() -> bool:
     for name in ("COLUMNS", "LINES"):
         if not (words := os.environ.get(name, "")).isascii() or not words.isdigit() or not 0 < int(words[:9]) < 10_000:
             os.environ.pop(name, None)
+    # A terminal without a letter such as µ still gets its table. What goes to a file or to another program is UTF-8 as
+    # all files are, also where Windows would write its code page.
+    for stream, errors in ((sys.stdout, "replace"), (sys.stderr, "backslashreplace")):
+        if isinstance(stream, io.TextIOWrapper):
+            own = stream.isatty() or "PYTHONIOENCODING" in os.environ
+            stream.reconfigure(encoding=stream.encoding if own else "utf-8", errors=errors)
     return sys.stdout is not None
 
 
@@ -152,10 +164,8 @@ def run(arguments: Sequence[str]) -> int:
     remember(arguments)
     if not _prepare_streams():
         # The next file opened would take its file descriptor and receive the output of libraries.
-        print_note("the standard output is closed; send what you do not want to see to /dev/null")
+        print_note(f"the standard output is closed; send what you do not want to see to {os.devnull}")
         return 2
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # a terminal without a letter such as µ still gets its table
     try:
         with InputRecord().active(), legible_streams():
             status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)

@@ -228,15 +228,31 @@ def _for_worker() -> Iterator[None]:
     sys.modules["__main__"] = ModuleType("__main__")
     # Libraries read these when they are loaded, before anything can be called in the process.
     os.environ.update(dict.fromkeys(THREAD_VARIABLES, "1"))
-    masks = hasattr(signal, "pthread_sigmask")
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if masks else set()
     try:
-        yield
+        with _interrupts_held():
+            yield
     finally:
         sys.modules["__main__"] = program
         for name, value in variables.items():
             os.environ.pop(name, None) if value is None else os.environ.update({name: value})
-        if masks:
+
+
+@contextmanager
+def _interrupts_held() -> Iterator[None]:
+    """Let a process that starts hear no Ctrl-C; one that comes to this process meanwhile waits, but not on Windows."""
+    if sys.platform == "win32":
+        import ctypes
+
+        ctypes.windll.kernel32.SetConsoleCtrlHandler(None, True)
+        try:
+            yield
+        finally:
+            ctypes.windll.kernel32.SetConsoleCtrlHandler(None, False)
+    else:
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            yield
+        finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
