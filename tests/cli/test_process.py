@@ -1,5 +1,7 @@
 """The command line as a process: what it loads, closed pipes, Ctrl-C."""
 
+import errno
+import io
 import json
 import os
 import subprocess
@@ -9,7 +11,7 @@ import time
 import pytest
 
 import clubface
-from command_line import MAIN, interruptible, press_ctrl_c, process
+from command_line import MAIN, assert_mistake, interruptible, press_ctrl_c, process
 
 pytest.importorskip("typer")
 pytest.importorskip("rich")
@@ -54,6 +56,21 @@ def test_a_reader_that_goes_away_is_no_error():
         assert child.returncode == 141
 
 
+@pytest.mark.parametrize("arguments", [["models"], ["models", "--json"], ["--version"]])
+def test_a_reader_whose_going_windows_calls_an_invalid_argument_is_no_error(monkeypatch, capsys, arguments):
+    from clubface.cli import app
+
+    class Gone(io.StringIO):
+        def write(self, text):
+            raise OSError(errno.EINVAL, "Invalid argument")
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(sys, "stdout", Gone())
+    monkeypatch.setattr(app, "let_go_of_output", lambda: None)
+    assert app.run(arguments) == 141
+    assert capsys.readouterr().err == ""
+
+
 def test_a_reader_that_leaves_before_the_help_is_no_error_either():
     reading, writing = os.pipe()
     os.close(reading)
@@ -90,6 +107,15 @@ def test_a_command_is_told_as_the_shell_of_the_system_takes_it(monkeypatch, tmp_
     assert app.command() == 'clubface shot "my club.toml" --speed "113 mph" --toe 5mm'
     monkeypatch.setattr(sys, "platform", "linux")
     assert app.command() == "clubface shot 'my club.toml' --speed '113 mph' --toe 5mm"
+
+
+def test_windows_whose_shells_leave_patterns_alone_gets_the_files_that_they_stand_for(monkeypatch, tmp_path, clubface_):
+    for name in ("b[1].toml", "a[1].toml", "c.toml"):
+        (tmp_path / name).write_text(clubface.club("driver").replace(name=name[0]).to_toml(), encoding="utf-8")
+    monkeypatch.setattr(sys, "platform", "win32")
+    ran = clubface_("compare", str(tmp_path / "?[1].toml"), "--speed", "113 mph", "--json")
+    assert [row["club"] for row in ran.rows()] == ["a", "b"]
+    assert_mistake(clubface_("compare", str(tmp_path / "?.csv"), "--speed", "113 mph"), "?.csv")
 
 
 def test_ctrl_c_ends_with_one_line_and_status_130(tmp_path):

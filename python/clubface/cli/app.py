@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import shlex
 import sys
 from collections.abc import Sequence
 from contextvars import ContextVar
+from glob import glob
 from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any
@@ -106,8 +108,10 @@ class Commands(TyperGroup):
             result = super().invoke(ctx)
             sys.stdout.flush()
             return result
-        except BrokenPipeError:
-            raise ReaderGone from None
+        except OSError as error:
+            if _tells_of_no_reader(error):
+                raise ReaderGone from None
+            raise
         except KeyboardInterrupt as stop:
             raise Interrupted(*stop.args) from None
 
@@ -158,8 +162,24 @@ def _prepare_streams() -> bool:
     return sys.stdout is not None
 
 
+def _tells_of_no_reader(error: BaseException) -> bool:
+    """Whether whoever read the output is gone, which Windows calls an invalid argument."""
+    if sys.platform == "win32" and isinstance(error, OSError) and error.errno == errno.EINVAL:
+        return error.filename is None
+    return isinstance(error, BrokenPipeError)
+
+
+def _with_files(arguments: Sequence[str]) -> list[str]:
+    """Put files in the place of patterns such as ``swings/*.c3d``, as every shell does but those of Windows."""
+    if sys.platform != "win32":
+        return [*arguments]
+    found = (sorted(glob(each.replace("[", "[[]"))) if set("*?") & set(each) else [] for each in arguments)
+    return [file for each, files in zip(arguments, found, strict=True) for file in files or [each]]
+
+
 def run(arguments: Sequence[str]) -> int:
     """Run one command line; return the exit status."""
+    arguments = _with_files(arguments)
     show_warnings()
     remember(arguments)
     if not _prepare_streams():
@@ -170,10 +190,11 @@ def run(arguments: Sequence[str]) -> int:
         with InputRecord().active(), legible_streams():
             status = typer.main.get_command(app).main(list(arguments), prog_name="clubface", standalone_mode=False)
         sys.stdout.flush()  # text printed by the parser itself, such as help
-    except (ReaderGone, BrokenPipeError, SystemExit):  # Rich, which prints the help, treats a broken pipe as the end
-        # A pager or head has read enough: nothing is left to report.
-        let_go_of_output()
-        return READER_GONE
-    except (Exception, Interrupted) as error:
+    except (Exception, Interrupted, ReaderGone, SystemExit) as error:
+        # Rich, which prints the help, treats a broken pipe as the end.
+        if isinstance(error, (ReaderGone, SystemExit)) or _tells_of_no_reader(error):
+            # A pager or head has read enough: nothing is left to report.
+            let_go_of_output()
+            return READER_GONE
         return report(as_typed(error, _options(arguments)))
     return status if isinstance(status, int) else 0
