@@ -118,7 +118,7 @@ test-foreign: $(VENV)/.cross ## the tests of Rust as TARGET=aarch64-unknown-linu
 	$(PYTHON) scripts/foreign tests $(TARGET) $(if $(RECORD),--record)
 
 FOREIGN_PYTHON ?=
-test-wheel: $(VENV)/.setup ## the newest wheel (or WHEEL) in the Python of TARGET, here by qemu; minutes (PYTEST=tests/fem, RECORD=1)
+test-wheel: $(VENV)/.cross ## the newest wheel (or WHEEL) in the Python of TARGET, here by qemu or Wine; minutes (PYTEST=tests/fem, RECORD=1)
 	$(PYTHON) scripts/foreign wheel $(TARGET) "$(NEWEST_WHEEL)" --python "$(FOREIGN_PYTHON)" --pytest "$(PYTEST)" \
 		$(if $(RECORD),--record)
 

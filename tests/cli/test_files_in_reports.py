@@ -1,6 +1,7 @@
 """A report shows the files that were read and no other, whatever their texts say."""
 
 import hashlib
+import os
 import re
 
 import pytest
@@ -77,6 +78,8 @@ def test_an_output_is_no_file_that_was_read(folder, clubface_):
     before = (folder / "at" / "mine.toml").read_bytes()
     ran = clubface_("dispersion", "anna.toml", "--count", "64", "--no-flight", "--report", "mine.toml")
     assert ran.status == 2
+    if os.name == "nt":
+        return  # links need rights there
     (folder / "at" / "mine.html").symlink_to("mine.toml")
     ran = clubface_("dispersion", "anna.toml", "--count", "64", "--no-shares", "--report", "mine.html")
     assert ran.status == 2

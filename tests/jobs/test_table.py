@@ -72,6 +72,15 @@ def test_a_row_that_is_no_longer_accepted_is_computed_again_and_replaced(tmp_pat
     assert fill(path, PLACES, Rows(0)) == whole
 
 
+def test_a_table_that_an_editor_of_windows_has_saved_is_the_same(tmp_path):
+    path = tmp_path / "rows.csv"
+    whole = fill(path, PLACES[:3], Rows())
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    assert fill(path, PLACES[:3], Rows(0)) == whole
+    fill(path, PLACES, Rows())
+    assert b"\r" not in path.read_bytes()
+
+
 def test_a_complete_table_is_read_where_nothing_can_be_written(tmp_path, monkeypatch):
     path = tmp_path / "rows.csv"
     whole = fill(path, PLACES, Rows())

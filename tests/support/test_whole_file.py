@@ -25,9 +25,10 @@ def test_a_file_has_its_name_only_once_it_is_whole_and_synced(tmp_path, monkeypa
     with whole_file(path) as file:
         file.write(b"after")
         assert path.read_text() == "before"
-    assert done == ["sync", "rename", "sync"]  # the content, the name, the folder of the name
+    # The content, the name, the folder of the name, which Windows does not sync.
+    assert done == ["sync", "rename", *([] if sys.platform == "win32" else ["sync"])]
     assert path.read_text() == "after"
-    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640 or sys.platform == "win32"
     assert os.listdir(tmp_path) == ["a.csv"]
 
 

@@ -181,7 +181,8 @@ def _read(path: Path, head: str, columns: Mapping[str, Callable[[str], Any]]) ->
     """Return the rows of a table by key; empty without a file."""
     if not path.exists():
         return {}
-    lines = path.read_bytes().decode(errors="replace").split("\n")[:-1]
+    text = path.read_bytes().decode(errors="replace").replace("\r\n", "\n")  # a Windows editor may have saved it
+    lines = text.split("\n")[:-1]
     if lines[:2] != head.splitlines():
         raise FileError(str(path), 1, "this is not the table of this case; give another file, or remove it")
     rows = {}
