@@ -1,5 +1,6 @@
 """What is built for other machines: whose a wheel is, how results are counted, and which are on record."""
 
+import io
 import json
 import sys
 from pathlib import Path
@@ -14,7 +15,7 @@ def foreign(monkeypatch):
     """The folder of the script on the search path, as when it runs."""
     monkeypatch.syspath_prepend(str(ROOT / "scripts" / "foreign"))
     yield
-    for name in ("debian_root", "record", "rust_tests", "targets", "wheel_trial", "wine"):
+    for name in ("debian_root", "record", "rust_tests", "targets", "wheel_trial", "windows_python", "wine"):
         sys.modules.pop(name, None)
 
 
@@ -36,6 +37,15 @@ def test_a_wheel_belongs_to_one_machine(foreign, platform, triple):
     assert [each.triple for each in TARGETS.values() if each.takes(f"clubface-0.2.0-cp311-abi3-{platform}.whl")] == [
         triple
     ]
+
+
+def test_an_archive_of_python_for_windows_that_is_another_one_is_not_unpacked(foreign, tmp_path, monkeypatch):
+    import windows_python
+
+    monkeypatch.setattr(windows_python.urllib.request, "urlopen", lambda address: io.BytesIO(b"another"))
+    with pytest.raises(SystemExit, match="SHA-256"):
+        windows_python.windows_python(tmp_path, "3.11")
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_result_takes_the_place_of_an_earlier_one_of_the_same_kind(foreign, tmp_path):

@@ -58,7 +58,7 @@ def windows_python(folder: Path, version: str) -> Path:
 
 
 def _write_stable_library(folder: Path, own: str) -> None:
-    """Write python3.dll, which the archive lacks: through it modules of the stable interface find what a version has."""
+    """Write python3.dll, which the archive lacks: by it modules of the stable interface find what a version has."""
     listed = (folder / "libs" / "python3.lib").read_bytes()
     names = {each.decode("ascii") for each in re.findall(rb"(\w+)\0python3\.dll\0", listed)}
     definition, empty = folder / "python3.def", folder / "python3.c"

@@ -53,6 +53,7 @@ def test_of_a_study_that_is_half_done(progress, tmp_path):
 
 @pytest.mark.filterwarnings("ignore::clubface.errors.RangeWarning")
 def test_of_other_long_work(progress, tmp_path):
+    pytest.importorskip("ezc3d")
     tour(["standard", "slip"], progress=progress)
     progress.check(progress[0][1])
     synthesize(tmp_path, 2, progress=progress)

@@ -52,6 +52,7 @@ def test_two_workers_that_compute_the_same_chunk_write_the_same_bytes(tmp_path):
     assert part(path, 2).read_bytes() == before
 
 
+@pytest.mark.skipif(os.name == "nt", reason="nobody removes there what is being written")
 def test_a_run_that_another_tidies_up_after_while_it_writes_finds_the_part_there(tmp_path, monkeypatch):
     path = shots(tmp_path)
     studies.run(path, workers=1)

@@ -57,7 +57,7 @@ def test_workers_killed_between_writing_and_renaming_lose_nothing(tmp_path, undi
     command = started(
         "study", "run", path, "--workers", "2", path=[tmp_path / "killer"], KILLED_RENAMES=str(tmp_path / "renames")
     )
-    _, message = command.communicate(timeout=60)
+    _, message = command.communicate(timeout=240)
     assert command.returncode == 0, message
     renames = len(os.listdir(tmp_path / "renames"))
     assert renames - (renames + 2) // 3 == 20  # every chunk once, beside those that were killed
@@ -74,7 +74,7 @@ def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
         for worker in children(command.pid)[:1]:
             os.kill(worker, signal.SIGKILL)
             killed += 1
-    _, message = command.communicate(timeout=60)
+    _, message = command.communicate(timeout=240)
     assert command.returncode == 0, message
     assert killed
     assert sums(path) == undisturbed
@@ -84,12 +84,12 @@ def test_workers_killed_at_random_are_replaced(tmp_path, undisturbed):
 def test_a_command_that_is_killed_is_gone_on_with(tmp_path, undisturbed, end):
     path, store = squares(tmp_path, seconds=0.01), tmp_path / "squares.store"
     command = started("study", "run", path, "--workers", "2")
-    ends = time.monotonic() + 30.0
+    ends = time.monotonic() + 120.0
     while len(list(store.rglob("0*.parquet"))) < 3 and time.monotonic() < ends:
         time.sleep(0.02)
     end(command)
     begun = time.monotonic()
-    _, message = command.communicate(timeout=30)
+    _, message = command.communicate(timeout=60)
     if end is press_ctrl_c:
         assert command.returncode == 130
         assert "of 20 chunks are done and kept in" in message

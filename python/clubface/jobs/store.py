@@ -355,9 +355,9 @@ def _check_folder(folder: Path) -> None:
         names = [each.name for each in folder.iterdir() if each.name[0] != "."]
     except FileNotFoundError:
         return
-    except NotADirectoryError:
-        raise FileError(str(folder), None, FOREIGN) from None
     except OSError as error:
+        if folder.is_file():
+            raise FileError(str(folder), None, FOREIGN) from None
         raise unwritable(folder, error) from None
     if not set(names) <= {RECORD, VALUES, PARTS, LOCK}:
         raise FileError(str(folder), None, FOREIGN)

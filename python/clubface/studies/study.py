@@ -169,7 +169,8 @@ class StudyFile:
         _ = self.task
         folder, own = os.path.join(absolute(self.folder), ""), absolute(self.path)
         checksums = {path: each.sha256 for path, each in self.inputs.by_path().items() if path != own}
-        return {path.removeprefix(folder): sum_ for path, sum_ in sorted(checksums.items())}
+        # With the same signs between folders on every system, since shares of one study may run on several.
+        return {path.removeprefix(folder).replace(os.sep, "/"): sum_ for path, sum_ in sorted(checksums.items())}
 
     def wrap(self, error: ClubfaceError) -> FileError:
         """Return an error about a value of the kind's table with file and line."""
