@@ -81,7 +81,9 @@ def test_shares_in_any_order_are_the_whole(tmp_path_factory, shares, count, rand
 def test_progress_rises_to_the_whole_and_an_interruption_says_where_the_parts_are(tmp_path):
     folder, messages = tmp_path / "out.unfinished", []
     progress = lambda done, whole: messages.append((done, whole))  # noqa: E731
-    message = rf"^2 of 5 runs are done; they are in {re.escape(str(folder))}, and the same command continues from there$"
+    message = (
+        rf"^2 of 5 runs are done; they are in {re.escape(str(folder))}, and the same command continues from there$"
+    )
     with Store(folder, {}) as store, pytest.raises(KeyboardInterrupt, match=message):
         run(Job("runs", range(5), Interrupted(2)), in_sequence, store=store, progress=progress)
     with pytest.raises(KeyboardInterrupt, match=r"^2 of 5 runs are done$"):

@@ -173,8 +173,11 @@ def _with_files(arguments: Sequence[str]) -> list[str]:
     """Put files in the place of patterns such as ``swings/*.c3d``, as every shell does but those of Windows."""
     if sys.platform != "win32":
         return [*arguments]
-    found = (sorted(glob(each.replace("[", "[[]"))) if set("*?") & set(each) else [] for each in arguments)
-    return [file for each, files in zip(arguments, found, strict=True) for file in files or [each]]
+    words: list[str] = []
+    for each in arguments:
+        files = sorted(glob(each.replace("[", "[[]"))) if set("*?") & set(each) else []
+        words += files or [each]
+    return words
 
 
 def run(arguments: Sequence[str]) -> int:
