@@ -26,49 +26,22 @@ GRAVITY = 9.80665
 
 
 class RestingBall(NamedTuple):
-    """A ball at rest before impact.
+    """A ball at rest before impact."""
 
-    Attributes
-    ----------
-    centre
-        Centre [m], shape (3,).
-    noise
-        Standard deviation of a single frame along an axis [m].
-    frames
-        Number of frames averaged.
-    span
-        First and last frame in which it is seen at rest there.
-    departure
-        First frame in which it has moved; None if it is not seen to move.
-    """
-
-    centre: Array
-    noise: float
-    frames: int
-    span: tuple[int, int]
-    departure: int | None
+    centre: Array  # [m], shape (3,)
+    noise: float  # standard deviation of a single frame along an axis [m]
+    frames: int  # number averaged
+    span: tuple[int, int]  # first and last frame in which it is seen at rest there
+    departure: int | None  # first frame in which it has moved; None if it is not seen to move
 
 
 class Launched(NamedTuple):
-    """A ball after impact, in world axes.
+    """A ball after impact, in world axes."""
 
-    Attributes
-    ----------
-    velocity
-        Velocity extrapolated back to first touch [m/s], shape (3,).
-    covariance
-        Covariance of the velocity, shape (3, 3).
-    start
-        Time at which a ball with this velocity would have left its place instantly [s]. A real ball accelerates during
-        the contact, so this is near the middle of the contact.
-    frames
-        Number of frames that show the flight.
-    """
-
-    velocity: Array
-    covariance: Array
-    start: float
-    frames: int
+    velocity: Array  # extrapolated back to first touch [m/s], shape (3,)
+    covariance: Array  # of the velocity, shape (3, 3)
+    start: float  # time at which it would have left at once with this velocity [s]: near the middle of the contact
+    frames: int  # number that show the flight
 
 
 def resting_places(seen: Array, rate: float) -> list[RestingBall]:

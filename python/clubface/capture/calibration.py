@@ -49,31 +49,15 @@ MISPLACED = 3e-3
 
 
 class Registration(NamedTuple):
-    """Registration of the marker cluster on the club.
+    """Registration of the marker cluster on the club."""
 
-    Attributes
-    ----------
-    names
-        Names of the markers.
-    shape
-        Marker positions from the CG, in club axes with z towards the toe [m], shape (markers, 3).
-    covariance
-        Covariance of the club's position and rotation relative to the cluster [m, rad], in club axes about the CG,
-        shape (6, 6).
-    misfit
-        Root mean square residual of the face points [m]; NaN without any.
-    notes
-        Caveats for the reader.
-    geometry
-        How the registration is known.
-    """
-
-    names: tuple[str, ...]
-    shape: Array
+    names: tuple[str, ...]  # of the markers
+    shape: Array  # marker positions from the CG, in club axes with z towards the toe [m], shape (markers, 3)
+    # Of the club's position and rotation relative to the cluster [m, rad], in club axes about the CG, shape (6, 6).
     covariance: Array
-    misfit: float
+    misfit: float  # root mean square residual of the face points [m]; NaN without any
     notes: tuple[Note, ...] = ()
-    geometry: tuple[Known, ...] = ()
+    geometry: tuple[Known, ...] = ()  # how the registration is known
 
 
 def given_positions(mapping: MarkerMap, club: Club) -> Registration:

@@ -32,29 +32,15 @@ from clubface.units import to_si
 
 
 class Trace(NamedTuple):
-    """Motion of a head through a recording, in world axes.
+    """Motion of a head through a recording, in world axes."""
 
-    Attributes
-    ----------
-    times
-        Times of the frames [s].
-    face_centre
-        Face centre [m], shape (frames, 3); NaN without a pose.
-    loft, face
-        Dynamic loft and face angle [rad], shape (frames,).
-    residual
-        Root mean square residual between markers and head along an axis [m], shape (frames,).
-    ball, radius
-        Centre of the ball at rest, shape (3,), and its radius [m].
-    """
-
-    times: Array
-    face_centre: Array
-    loft: Array
-    face: Array
-    residual: Array
-    ball: Array
-    radius: float
+    times: Array  # of the frames [s]
+    face_centre: Array  # [m], shape (frames, 3); NaN without a pose
+    loft: Array  # dynamic loft [rad], shape (frames,)
+    face: Array  # face angle [rad], shape (frames,)
+    residual: Array  # root mean square residual between markers and head along an axis [m], shape (frames,)
+    ball: Array  # centre of the ball at rest [m], shape (3,)
+    radius: float  # of the ball [m]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

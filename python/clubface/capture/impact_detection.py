@@ -67,46 +67,21 @@ increased."""
 
 
 class DetectedImpact(NamedTuple):
-    """Time and place at which a head loses speed.
+    """Time and place at which a head loses speed."""
 
-    Attributes
-    ----------
-    before, after
-        Frames between which the loss begins.
-    touch
-        Time of first touch [s], half a contact before the paths cross.
-    deviation
-        Its standard deviation [s].
-    lost
-        Fraction of speed lost.
-    velocity, later
-        Velocity of the head's origin before impact, and of its CG after impact [m/s], shape (3,).
-    covariance
-        Covariance of the difference of the two velocities, shape (3, 3).
-    spin
-        Angular velocity before impact [rad/s], shape (3,).
-    position, rotation
-        Position of the head's origin at first touch [m], shape (3,), and rotation from body to world axes, shape
-        (3, 3).
-    score
-        Sum of squares in standard deviations of the paths' misfits and of the distance at their crossing.
-    again
-        Frame of another loss of speed that was not chosen, or None.
-    """
-
-    before: int
-    after: int
-    touch: float
-    deviation: float
-    lost: float
-    velocity: Array
-    later: Array
-    covariance: Array
-    spin: Array
-    position: Array
-    rotation: Array
-    score: float
-    again: int | None = None
+    before: int  # last frame before the loss begins
+    after: int  # first frame after that
+    touch: float  # time of first touch [s], half a contact before the paths cross
+    deviation: float  # its standard deviation [s]
+    lost: float  # fraction of speed lost
+    velocity: Array  # of the head's origin before impact [m/s], shape (3,)
+    later: Array  # velocity of its CG after impact [m/s], shape (3,)
+    covariance: Array  # of the difference of the two velocities, shape (3, 3)
+    spin: Array  # angular velocity before impact [rad/s], shape (3,)
+    position: Array  # of the head's origin at first touch [m], shape (3,)
+    rotation: Array  # from body to world axes, shape (3, 3)
+    score: float  # sum of squares in standard deviations of the paths' misfits and of the distance at their crossing
+    again: int | None = None  # frame of another loss of speed that was not chosen, or None
 
 
 def detect_impact(
@@ -165,22 +140,12 @@ def last_before(times: Array, followed: Track, where: str) -> int:
 
 
 class End(NamedTuple):
-    """An impact at or near the end of a recording.
+    """An impact at or near the end of a recording."""
 
-    Attributes
-    ----------
-    before
-        The last frame before it.
-    touch, deviation
-        Time of first touch and its standard deviation [s]; its position between two frames is unknown.
-    later
-        Number of frames that follow.
-    """
-
-    before: int
-    touch: float
-    deviation: float
-    later: int
+    before: int  # the last frame before it
+    touch: float  # time of first touch [s]; its position between two frames is unknown
+    deviation: float  # its standard deviation [s]
+    later: int  # number of frames that follow
 
 
 def impact_at_end(times: Array, followed: Track) -> End | None:
@@ -212,22 +177,12 @@ def impact_at_end(times: Array, followed: Track) -> End | None:
 
 
 class Drop(NamedTuple):
-    """A loss of speed between two frames.
-
-    Attributes
-    ----------
-    before, after
-        The frames.
-    lost
-        Fraction of speed lost permanently.
-    again
-        Frame before another loss of at least half the size, at another time, or None.
-    """
+    """A loss of speed between two frames."""
 
     before: int
     after: int
-    lost: float
-    again: int | None = None
+    lost: float  # fraction of speed lost permanently
+    again: int | None = None  # frame before another loss of at least half the size, at another time, or None
 
 
 def _impact_frames(times: Array, followed: Track, where: str) -> Drop:

@@ -30,21 +30,11 @@ STILL = 3e-3
 
 
 class FrameInterval(NamedTuple):
-    """Two frames between which the face meets the ball.
+    """Two frames between which the face meets the ball."""
 
-    Attributes
-    ----------
-    before
-        The last frame with a pose before first touch.
-    after
-        First frame after the impact has begun.
-    notes
-        Uncertainties of the interval.
-    """
-
-    before: int
-    after: int
-    notes: tuple[Note, ...] = ()
+    before: int  # the last frame with a pose before first touch
+    after: int  # first frame after the impact has begun
+    notes: tuple[Note, ...] = ()  # uncertainties of the interval
 
 
 def find_impact(
@@ -199,24 +189,12 @@ WIDEST_APPROACH = 12
 
 
 class Approach(NamedTuple):
-    """The path of the clubhead to the ball.
+    """The path of the clubhead to the ball."""
 
-    Attributes
-    ----------
-    path
-        Path about the instant of first touch.
-    attitude
-        Rotation from club to world axes where the path's rotation vector is zero, shape (3, 3).
-    touch
-        Time of first touch on the clock of the frames [s].
-    frames
-        Numbers of the frames used, ascending.
-    """
-
-    path: Path
-    attitude: Array
-    touch: float
-    frames: Array
+    path: Path  # path about the instant of first touch
+    attitude: Array  # rotation from club to world axes where the path's rotation vector is zero, shape (3, 3)
+    touch: float  # time of first touch on the clock of the frames [s]
+    frames: Array  # numbers of those used, ascending
 
 
 def follow(

@@ -34,37 +34,17 @@ SURPRISING = 2.5
 
 
 class Meeting(NamedTuple):
-    """Meeting of clubhead and ball.
-
-    Attributes
-    ----------
-    approach
-        Path about first touch.
-    ball
-        The ball at rest.
-    ball_covariance
-        Covariance of its centre, shape (3, 3).
-    seen_ball
-        Its centre in every frame, shape (frames, 3); NaN where not seen.
-    evidence
-        Impact detected in the head's path, if used.
-    noise, noise_freedom
-        Noise of a marker along an axis [m], and degrees of freedom of its estimate; 0 if given.
-    notes
-        Uncertainties of the meeting.
-    geometry
-        How the ball's position is known.
-    """
+    """Meeting of clubhead and ball."""
 
     approach: Approach
     ball: RestingBall
-    ball_covariance: Array
-    seen_ball: Array
-    evidence: Evidence | None
-    noise: float
-    noise_freedom: int
-    notes: tuple[Note, ...]
-    geometry: tuple[Known, ...]
+    ball_covariance: Array  # of its centre, shape (3, 3)
+    seen_ball: Array  # its centre in every frame, shape (frames, 3); NaN where not seen
+    evidence: Evidence | None  # impact detected in the head's path, if used
+    noise: float  # of a marker along an axis [m]
+    noise_freedom: int  # degrees of freedom of its estimate; 0 if given
+    notes: tuple[Note, ...]  # uncertainties of the meeting
+    geometry: tuple[Known, ...]  # how the ball's position is known
 
 
 def meet(recording: Recording, followed: Track, cluster: Registration, setup: Setup, turn: Array) -> Meeting:

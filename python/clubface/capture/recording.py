@@ -98,27 +98,15 @@ def check_layout(path: str | os.PathLike[str]) -> RecordingHeader:
 
 
 class _Parameter(NamedTuple):
-    """A parameter of a C3D file.
+    """A parameter of a C3D file."""
 
-    Attributes
-    ----------
-    group, label
-        Number of its group, and its name.
-    kind, dimensions, elements
-        Type, number of dimensions, and number of elements.
-    value
-        First value of an integer parameter, otherwise 0.
-    end
-        Offset of its end.
-    """
-
-    group: int
+    group: int  # number of its group
     label: str
-    kind: int
-    dimensions: int
-    elements: int
-    value: int
-    end: int
+    kind: int  # a key of ``SIZES``
+    dimensions: int  # number of them
+    elements: int  # number of them
+    value: int  # first value of an integer parameter, otherwise 0
+    end: int  # offset of its end
 
 
 class _Reader:

@@ -27,22 +27,12 @@ less than a micrometre."""
 
 
 class Inputs(NamedTuple):
-    """Inputs of a delivery, for many variations at once.
+    """Inputs of a delivery, for many variations at once."""
 
-    Attributes
-    ----------
-    position, rate
-        Coefficients as of :class:`Path`, shape (..., m, 6) and (..., n, 6).
-    ball
-        Centre of the ball at rest [m], shape (..., 3).
-    club
-        Position and rotation of the club relative to its markers [m, rad], in club axes about the CG, shape (..., 6).
-    """
-
-    position: Array
-    rate: Array
-    ball: Array
-    club: Array
+    position: Array  # coefficients as of :class:`Path`, shape (..., m, 6)
+    rate: Array  # coefficients as of :class:`Path`, shape (..., n, 6)
+    ball: Array  # centre of the ball at rest [m], shape (..., 3)
+    club: Array  # its position and rotation relative to its markers [m, rad], in club axes about the CG, shape (..., 6)
 
 
 def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[Array, Array]:
@@ -100,28 +90,13 @@ class Evidence(NamedTuple):
 
 
 class Reduced(NamedTuple):
-    """A delivery with its uncertainty.
+    """A delivery with its uncertainty."""
 
-    Attributes
-    ----------
-    values
-        Values in the order of ``QUANTITIES``, shape (11,).
-    time
-        Time of first touch [s].
-    covariance
-        Covariance of the values, shape (11, 11).
-    inputs
-        Inputs of the delivery, as corrected by evidence.
-    surprise
-        Root mean square deviation of the evidence from its expected values, in combined standard deviations; 0 without
-        evidence.
-    """
-
-    values: Array
-    time: float
-    covariance: Array
-    inputs: Inputs
-    surprise: float = 0.0
+    values: Array  # in the order of ``QUANTITIES``, shape (11,)
+    time: float  # of first touch [s]
+    covariance: Array  # of the values, shape (11, 11)
+    inputs: Inputs  # as corrected by evidence
+    surprise: float = 0.0  # root mean square deviation of the evidence from its expectation, in standard deviations
 
 
 def with_covariance(

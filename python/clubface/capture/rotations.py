@@ -133,21 +133,11 @@ def visible(points: Any) -> NDArray[np.bool_]:
 
 
 class Poses(NamedTuple):
-    """Poses of a body in all frames.
+    """Poses of a body in all frames."""
 
-    Attributes
-    ----------
-    position
-        Position of the body's origin [m], shape (frames, 3); NaN without a pose.
-    rotation
-        Rotation from body to laboratory axes, shape (frames, 3, 3).
-    residuals
-        Residuals between markers and body [m], shape (frames, markers, 3); NaN where a marker was not seen.
-    """
-
-    position: Array
-    rotation: Array
-    residuals: Array
+    position: Array  # of the body's origin [m], shape (frames, 3); NaN without a pose
+    rotation: Array  # from body to laboratory axes, shape (frames, 3, 3)
+    residuals: Array  # between markers and body [m], shape (frames, markers, 3); NaN where a marker was not seen
 
 
 def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:

@@ -70,26 +70,14 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Setup:
-    """Everything needed to read the swings of a session.
+    """Everything needed to read the swings of a session."""
 
-    Attributes
-    ----------
-    mapping
-        Marker map with options applied.
-    club, ball
-        The club and the ball.
-    estimator, roughness
-        How the last frames are extrapolated to impact.
-    registration
-        Registration of the cluster on the club, or None if each swing contains its own calibration.
-    """
-
-    mapping: MarkerMap
+    mapping: MarkerMap  # with options applied
     club: Club
     ball: Ball
-    estimator: str
+    estimator: str  # of the path from the last frames to impact
     roughness: float
-    registration: Registration | None
+    registration: Registration | None  # None if each swing contains its own calibration
 
     def turn(self, recording: Recording) -> Array:
         """Return the matrix from laboratory axes to the world for a right-hander, shape (3, 3)."""

@@ -26,30 +26,14 @@ ALL_ORDERS = 5
 
 
 class Track(NamedTuple):
-    """Poses of a clubhead in every frame.
+    """Poses of a clubhead in every frame."""
 
-    Attributes
-    ----------
-    shape
-        Marker positions in body axes as seen in this recording [m], shape (markers, 3).
-    poses
-        Position of the body's origin, rotation, and residuals.
-    seen
-        Which markers were used for the pose of each frame, shape (frames, markers).
-    exchanged
-        Frames with swapped labels, by the markers swapped.
-    stray
-        Frames in which a marker was excluded, by its name.
-    lost
-        Frames with enough markers that no permutation fits.
-    """
-
-    shape: Array
+    shape: Array  # marker positions in body axes as seen in this recording [m], shape (markers, 3)
     poses: Poses
-    seen: NDArray[np.bool_]
-    exchanged: dict[tuple[str, ...], list[int]]
-    stray: dict[str, list[int]]
-    lost: list[int]
+    seen: NDArray[np.bool_]  # which markers were used for the pose of each frame, shape (frames, markers)
+    exchanged: dict[tuple[str, ...], list[int]]  # frames with swapped labels, by the markers swapped
+    stray: dict[str, list[int]]  # frames in which a marker was excluded, by its name
+    lost: list[int]  # frames with enough markers that no permutation fits
 
     @property
     def known(self) -> NDArray[np.bool_]:

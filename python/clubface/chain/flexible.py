@@ -54,23 +54,13 @@ class FlexibleShaft(NamedTuple):
 
 
 class Links(NamedTuple):
-    """Links of a shaft: rigid pieces between the joints at which it bends.
+    """Links of a shaft: rigid pieces between the joints at which it bends."""
 
-    Attributes
-    ----------
-    joint
-        Distance of the joints from the hands [m], shape (links,); the piece before the first joint is not a link.
-    mass, cg, inertia
-        Mass of each link [kg]; distance of its CG from the hands [m]; inertia about its CG, across and along the shaft
-        [kg m2], shape (links, 2).
-    grip_mass, grip_cg, grip_inertia
-        The same for everything that is held: the piece before the first joint, the shaft above the hands, the grip.
-    """
-
-    joint: Any
-    mass: Any
-    cg: Any
-    inertia: Any
+    joint: Any  # distance of the joints from the hands [m], shape (links,); the piece before the first is not a link
+    mass: Any  # of each link [kg]
+    cg: Any  # distance of its CG from the hands [m]
+    inertia: Any  # about its CG, across and along the shaft [kg m2], shape (links, 2)
+    # The same for everything that is held: the piece before the first joint, the shaft above the hands, the grip.
     grip_mass: float
     grip_cg: float
     grip_inertia: Any

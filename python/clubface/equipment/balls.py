@@ -28,20 +28,12 @@ from clubface.support.files import builtin_names, builtin_path, is_path
 
 @dataclass(frozen=True)
 class Construction:
-    """The part of a ball's file that only finite elements use.
-
-    Attributes
-    ----------
-    data
-        Mesh and pieces, as read.
-    document
-        The whole file, for finite elements.
-    """
+    """The part of a ball's file that only finite elements use."""
 
     KEYS: ClassVar = ("cube", "element", "pieces")
 
-    data: Mapping[str, Any]
-    document: Document = field(compare=False, repr=False)
+    data: Mapping[str, Any]  # mesh and pieces, as read
+    document: Document = field(compare=False, repr=False)  # the whole file, for finite elements
 
     @classmethod
     def of(cls, document: Document) -> Construction:

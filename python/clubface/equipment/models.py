@@ -60,26 +60,13 @@ class Parameter:
 
 
 class ValidRange(NamedTuple):
-    """Range of one quantity within which a model is valid.
+    """Range of one quantity within which a model is valid."""
 
-    Attributes
-    ----------
-    name
-        An input of a shot, a parameter, or ``incidence``, the angle between clubhead velocity and the normal at the
-        face centre.
-    label
-        Common name.
-    reading
-        Unit in which it is commonly given.
-    lower, upper
-        Bounds, both included [SI].
-    """
-
-    name: str
-    label: str
-    reading: str
-    lower: float
-    upper: float
+    name: str  # an input of a shot, a parameter, or "incidence", the angle of clubhead velocity and face normal
+    label: str  # common name
+    reading: str  # unit in which it is commonly given
+    lower: float  # included [SI]
+    upper: float  # included [SI]
 
 
 @dataclass(frozen=True)

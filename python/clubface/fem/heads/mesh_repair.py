@@ -30,27 +30,15 @@ DIRECTION = (0.4815, 0.6297, 0.6098)
 
 @dataclass
 class Shells:
-    """Shell elements under repair.
-
-    Attributes
-    ----------
-    mesh
-        The mesh file.
-    points, node_ids
-        Positions of nodes, shape (n, 3), and their numbers in the file; 0 for an added node.
-    corners, ids
-        Nodes of elements, shape (m, 4), and element numbers in the file; the last node of a triangle is -1.
-    group, thickness
-        Group index of each element, and its own thickness.
-    """
+    """Shell elements under repair."""
 
     mesh: Mesh
-    points: NDArray[Any]
-    node_ids: NDArray[Any]
-    corners: NDArray[Any]
-    ids: NDArray[Any]
-    group: NDArray[Any]
-    thickness: NDArray[Any]
+    points: NDArray[Any]  # positions of nodes, shape (n, 3)
+    node_ids: NDArray[Any]  # node numbers in the file; 0 for an added node
+    corners: NDArray[Any]  # nodes of elements, shape (m, 4); the last node of a triangle is -1
+    ids: NDArray[Any]  # element numbers in the file
+    group: NDArray[Any]  # group index of each element
+    thickness: NDArray[Any]  # of each element
 
     def keep(self, chosen: NDArray[Any]) -> None:
         """Keep only the chosen elements."""

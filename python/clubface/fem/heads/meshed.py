@@ -119,13 +119,7 @@ class MeshedHead(ABC):
 
 @dataclass(frozen=True, kw_only=True)
 class MeshedClub(Club):
-    """A club read from a meshed head's file, which keeps the mesh.
-
-    Attributes
-    ----------
-    head
-        The mesh.
-    """
+    """A club read from a meshed head's file, which keeps the mesh."""
 
     head: MeshedHead = field(repr=False)
 
