@@ -141,7 +141,7 @@ def test_a_swing_where_the_ball_will_lie_is_not_the_impact():
 
 
 def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
-    from clubface.capture.impact_frame import FrameInterval, follow
+    from clubface.capture.impact_frame import Extrapolation, FrameInterval, follow
     from clubface.capture.tracking import track
 
     ready = prepare(MAPPING, "driver")
@@ -149,9 +149,9 @@ def test_frames_after_first_touch_are_not_used_even_if_they_are_offered():
     turn = ready.turn(RECORDING)
     followed = track(cluster.shape, RECORDING.markers(cluster.names) @ turn.T, cluster.names, "x")
     ball = RECORDING.positions[:IMPACT, BALL].mean(0) @ turn.T
-    how = {"noise": 2e-4, "name": "smoother", "roughness": 0.6, "where": "x"}
+    how = Extrapolation(noise=2e-4, name="smoother", roughness=0.6, where="x")
     result = [
-        follow(RECORDING.times, followed, FrameInterval(last, last + 1), ball, ready.club, ready.ball.radius, **how)
+        follow(RECORDING.times, followed, FrameInterval(last, last + 1), ball, ready.club, ready.ball.radius, how)
         for last in (IMPACT - 1, IMPACT, IMPACT + 1)
     ]
     assert [each.frames[-1] for each in result] == [IMPACT - 1] * 3

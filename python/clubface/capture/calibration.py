@@ -161,16 +161,8 @@ class Attitude(NamedTuple):
 def placed(markers: Array, attitude: Attitude, mapping: MarkerMap, club: Club, height: float | None) -> Registration:
     """Return the registration from marker positions and the club's attitude at one instant.
 
-    Parameters
-    ----------
-    markers
-        Marker positions at this instant [m], in world axes for a right-hander, shape (markers, 3).
-    attitude
-        Attitude of the club.
-    mapping, club
-        The mapping with names and possibly positions of markers; the club with its CG and face.
-    height
-        Height of the ground in world axes [m] if the sole rests on it, else None.
+    ``markers`` are their positions [m], in world axes for a right-hander, shape (markers, 3); ``height`` is that of the
+    ground in world axes [m] if the sole rests on it, else None.
     """
     names = tuple(mapping.cluster)
     cg = np.array(club.cg)

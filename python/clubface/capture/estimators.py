@@ -168,20 +168,10 @@ def fit(
 ) -> Path:
     """Fit a polynomial about time zero with errors from the frames and from a random walk of its highest derivative.
 
-    Parameters
-    ----------
-    times
-        Times of the frames [s], ascending, relative to the instant of interest.
-    z
-        Coordinates of the frames, shape (frames, n).
-    covariances
-        Covariances of the frames, shape (frames, n, n).
-    degree
-        Degree of the polynomial; the derivative of this degree is a random walk.
-    density
-        Spectral density of the random walk, for times in ``TIME``; a number or shape (n,).
-    common
-        Errors common to all frames: change of the coordinates per standard deviation of each, shape (frames, n, m).
+    ``times`` [s] ascend, relative to the instant of interest; ``z`` are the coordinates of the frames, shape (frames,
+    n), and ``covariances`` theirs, shape (frames, n, n). ``density`` is the spectral density of the random walk, for
+    times in ``TIME``, a number or shape (n,). ``common`` are errors common to all frames: the change of the coordinates
+    per standard deviation of each, shape (frames, n, m).
     """
     tau, (count, width) = times / TIME, z.shape
     powers = np.stack([tau**j / math.factorial(j) for j in range(degree + 1)], 1)

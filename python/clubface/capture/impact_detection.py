@@ -94,26 +94,12 @@ def detect_impact(
     roughness: float = ROUGHNESS,
     cg: Array | None = None,
 ) -> DetectedImpact:
-    """Find the impact in a recording; raise FileError if there is none.
+    """Find the impact in a recording; raise FileError, which names the file ``where``, if there is none.
 
-    Parameters
-    ----------
-    times
-        Times of the frames [s].
-    followed
-        The clubhead in every frame.
-    noise
-        Standard deviation of a marker along an axis [m].
-    arm
-        Standard deviation along each axis of the CG position relative to the head's origin [m]: after an off-centre
-        impact the head spins fast about its CG, and its other points do not move smoothly.
-    where
-        The file, for errors.
-    roughness
-        Roughness of the smoother.
-    cg
-        Position of the CG relative to the head's origin, in world axes at impact [m], shape (3,); default: at the
-        origin.
+    ``times`` are those of the frames [s], ``noise`` the standard deviation of a marker along an axis [m], and ``cg``
+    the position of the CG relative to the head's origin, in world axes at impact [m], shape (3,); default: there.
+    ``arm`` is the standard deviation of this position along each axis [m]: after an off-centre impact the head spins
+    fast about its CG, and its other points do not move smoothly.
     """
     before, after, lost, again = _impact_frames(times, followed, where)
     cg = np.zeros(3) if cg is None else cg

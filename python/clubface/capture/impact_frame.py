@@ -41,32 +41,13 @@ def find_impact(
     position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
     rate: float, where: str,
 ) -> tuple[FrameInterval, RestingBall]:  # fmt: skip
-    """Find the frames between which the face passes the ball's position, and verify that it hit the ball.
+    """Return the frames between which the face passes a resting ball, and that ball; verify that it was hit.
 
-    Parameters
-    ----------
-    position, rotation
-        Position of the CG [m], and rotation from club to world axes; NaN in frames without a pose.
-    seen_ball
-        Centre of the ball in every frame [m]; NaN where not seen.
-    places
-        Resting places of the ball, last first; the first that the face meets is used.
-    club, radius
-        The club with its face, and the radius of the ball [m].
-    rate
-        Frames per second.
-    where
-        File name for errors.
+    ``position`` is that of the CG [m] and ``rotation`` from club to world axes, NaN in frames without a pose;
+    ``seen_ball`` is the ball's centre [m], NaN where not seen. The first of its resting ``places`` that the face meets
+    is used. ``radius`` is the ball's [m], ``rate`` in frames per second, and ``where`` the file name for errors.
 
-    Returns
-    -------
-    tuple
-        The frame interval, and the ball at the place where it was hit.
-
-    Raises
-    ------
-    FileError
-        There is no impact: the face never passes the ball, the ball stays, or the head is not slowed.
+    Raises FileError if there is no impact: the face never passes the ball, the ball stays, or the head is not slowed.
     """
     for ball in places:
         ahead, local = gap(position, rotation, ball.centre, club, radius)
@@ -94,8 +75,7 @@ def find_impact(
     raise FileError(
         where, None,
         f"no impact: the face does not pass the ball; its centre comes no nearer than"
-        f" {units.fixed(away[nearest], 'mm', 0)}"
-        f" (frame {nearest + 1} of {len(away)}), and {stays}",
+        f" {units.fixed(away[nearest], 'mm', 0)} (frame {nearest + 1} of {len(away)}), and {stays}",
     )  # fmt: skip
 
 
@@ -197,83 +177,70 @@ class Approach(NamedTuple):
     frames: Array  # numbers of those used, ascending
 
 
+class Extrapolation(NamedTuple):
+    """How a path is extrapolated."""
+
+    noise: float  # standard deviation of a marker along an axis [m]
+    name: str  # of the estimator
+    roughness: float  # for the smoother
+    where: str  # file name for errors
+
+    def error(self, message: str) -> FileError:
+        """Return an error of the file."""
+        return FileError(self.where, None, message)
+
+    def check_count(self, frames: Array) -> None:
+        """Raise FileError if the estimator needs more frames."""
+        if len(frames) < (fewest := estimator(self.name).fewest):
+            words = f"{len(frames)} frames before impact show the clubhead; the estimator {self.name} needs {fewest}"
+            raise self.error(words)
+
+
 def follow(
-    times: Array, followed: Track, interval: FrameInterval, ball: Array, club: Club, radius: float,
-    *, noise: float, name: str, roughness: float, where: str,
-) -> Approach:  # fmt: skip
-    """Extrapolate the clubhead's path to its first touch of the ball.
+    times: Array, followed: Track, interval: FrameInterval, ball: Array, club: Club, radius: float, how: Extrapolation
+) -> Approach:
+    """Extrapolate the path of a clubhead, ``followed`` with its origin at the CG, to its first touch of the ball.
 
-    Parameters
-    ----------
-    times
-        Times of the frames [s].
-    followed
-        The clubhead in every frame, with its origin at the CG.
-    interval
-        The frames between which the head meets the ball.
-    ball
-        Centre of the ball at rest [m].
-    club, radius
-        The club with its face, and the radius of the ball [m].
-    noise
-        Standard deviation of a marker along an axis [m].
-    name, roughness
-        Name of the estimator, and the roughness for the smoother.
-    where
-        File name for errors.
-
-    Raises
-    ------
-    FileError
-        There are too few frames before impact, or the path does not lead to the ball.
+    ``times`` are those of the frames [s], ``interval`` the frames between which the head meets the ball, and ``ball``
+    and ``radius`` the ball's centre at rest and radius [m]. Raises FileError if there are too few frames before impact,
+    or the path does not lead to the ball.
     """
     position, rotation = followed.poses.position, followed.poses.rotation
     known = np.flatnonzero(followed.known & (np.arange(len(times)) <= interval.before))
-    extend, fewest, most = estimator(name)
-    if len(known) < fewest:
-        raise FileError(where, None, _too_few(len(known), fewest, name))
+    how.check_count(known)
     last = known[-4:]
     ahead, _ = gap(position[last], rotation[last], ball, club, radius)
     closing = float(ahead[0] - ahead[-1]) / float(times[last[-1]] - times[last[0]])
     if closing <= 0.0:
-        raise FileError(where, None, "the clubhead does not come nearer to the ball in the last frames before impact")
+        raise how.error("the clubhead does not come nearer to the ball in the last frames before impact")
     touch = float(times[known[-1]] + ahead[-1] / closing)
-
-    def extended() -> Approach:
-        """Fit the path about ``touch`` and update this to the time at which the path meets the ball."""
-        frames = usable(known[-most:], rotation, fewest)
-        if len(frames) < fewest:
-            raise FileError(where, None, _too_few(len(frames), fewest, name))
-        path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
-        _, time = deliver(Inputs(path.position, path.rate, ball, np.zeros(6)), attitude, club, radius)
-        if not abs(float(time)) < TIME:
-            raise FileError(where, None, f"the path of the clubhead by {name} does not lead to the ball")
-        return Approach(path, attitude, touch + float(time), frames)
-
     for _ in range(MOST_ROUNDS):
-        result = extended()
-        settled = abs(result.touch - touch) < SETTLED
-        touch = result.touch
+        result = _approach(times, followed, known, touch, how)
+        _, time = deliver(
+            Inputs(result.path.position, result.path.rate, ball, np.zeros(6)), result.attitude, club, radius
+        )
+        if not abs(float(time)) < TIME:
+            raise how.error(f"the path of the clubhead by {how.name} does not lead to the ball")
+        touch += float(time)
         if times[result.frames[-1]] > touch + TOUCHING / closing:
             known = known[:-1]
-        elif settled:
-            return result
-    raise FileError(where, None, f"the path of the clubhead by {name} does not settle on an instant of impact")
+        elif abs(float(time)) < SETTLED:
+            return result._replace(touch=touch)
+    raise how.error(f"the path of the clubhead by {how.name} does not settle on an instant of impact")
 
 
-def follow_until(
-    times: Array, followed: Track, touch: float, *, noise: float, name: str, roughness: float, where: str
-) -> Approach:
-    """Extrapolate the clubhead's path to a known instant of first touch, such as a detected impact.
+def follow_until(times: Array, followed: Track, touch: float, how: Extrapolation) -> Approach:
+    """Extrapolate the clubhead's path to a known instant of first touch, such as a detected impact."""
+    return _approach(times, followed, np.flatnonzero(followed.known & (times <= touch)), touch, how)
 
-    Parameters and errors are those of :func:`follow`.
-    """
-    extend, fewest, most = estimator(name)
-    known = np.flatnonzero(followed.known & (times <= touch))
+
+def _approach(times: Array, followed: Track, known: Array, touch: float, how: Extrapolation) -> Approach:
+    """Return the path about ``touch`` through the last of the ``known`` frames."""
+    extend, fewest, most = estimator(how.name)
     frames = usable(known[-most:], followed.poses.rotation, fewest)
-    if len(frames) < fewest:
-        raise FileError(where, None, _too_few(len(frames), fewest, name))
-    path, attitude = path_through(times[frames] - touch, followed, frames, noise, extend, roughness, where)
+    how.check_count(frames)
+    times = times[frames] - touch
+    path, attitude = path_through(times, followed, frames, how.noise, extend, how.roughness, how.where)
     return Approach(path, attitude, touch, frames)
 
 
@@ -326,7 +293,3 @@ def usable(recent: Array, rotation: Array, fewest: int) -> Array:
     gaps[len(recent) - fewest :] = False
     first = np.flatnonzero((angle > TURN) | gaps)
     return recent[first[-1] + 1 :] if len(first) else recent
-
-
-def _too_few(count: int, fewest: int, name: str) -> str:
-    return f"{count} frames before impact show the clubhead; the estimator {name} needs {fewest}"

@@ -10,7 +10,7 @@ from clubface.capture.ball_flight import RestingBall, resting_places
 from clubface.capture.calibration import Registration
 from clubface.capture.geometry import Known
 from clubface.capture.impact_detection import FEWEST, DetectedImpact, End, detect_impact, impact_at_end, last_before
-from clubface.capture.impact_frame import Approach, find_impact, follow, follow_until
+from clubface.capture.impact_frame import Approach, Extrapolation, find_impact, follow, follow_until
 from clubface.capture.recording import Recording
 from clubface.capture.reduction import Evidence, series
 from clubface.capture.rotations import Array, exponential, face_axes, mirror, visible
@@ -76,10 +76,8 @@ def _meet_by_ball(recording: Recording, followed: Track, setup: Setup, turn: Arr
     position, rotation = followed.poses.position, followed.poses.rotation
     interval, ball = find_impact(position, rotation, seen, places, head, radius, recording.rate, where)
     noise, freedom = _noise(followed, interval.before, setup, where)
-    approach = follow(
-        recording.times, followed, interval, ball.centre, head, radius,
-        noise=noise, name=setup.estimator, roughness=setup.roughness, where=where,
-    )  # fmt: skip
+    how = Extrapolation(noise, setup.estimator, setup.roughness, where)
+    approach = follow(recording.times, followed, interval, ball.centre, head, radius, how)
     if mapping.ball is not None:
         measured = ball.noise if mapping.noise is None else mapping.noise
         deviation = max(measured, FLOOR) / np.sqrt(max(ball.frames, 1))
@@ -95,9 +93,8 @@ def _meet_by_impact(recording: Recording, followed: Track, cluster: Registration
     noise, freedom = _noise(followed, last_before(times, followed, where), setup, where)
     arm = max(float(np.sqrt(np.max(np.linalg.eigvalsh(cluster.covariance[:3, :3])))), CG_DEVIATION)
     detected = detect_impact(times, followed, noise=noise, arm=arm, where=where, roughness=setup.roughness)
-    approach = follow_until(
-        times, followed, detected.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
-    )
+    how = Extrapolation(noise, setup.estimator, setup.roughness, where)
+    approach = follow_until(times, followed, detected.touch, how)
     if mapping.ball_position is None:
         centre, deviation = _ball_at_face_centre(approach, setup), ANYWHERE
         parts = [Known("ball", "assumed: where the clubhead loses speed")]
@@ -118,17 +115,11 @@ def _meet_at_end(recording: Recording, followed: Track, setup: Setup, end: End) 
     noise, freedom = _noise(followed, end.before - 1, setup, where)
     kept = followed._replace(poses=followed.poses._replace(position=followed.poses.position.copy()))
     kept.poses.position[end.before + 1 :] = np.nan
-    approach = follow_until(
-        times, kept, end.touch, noise=noise, name=setup.estimator, roughness=setup.roughness, where=where
-    )
+    approach = follow_until(times, kept, end.touch, Extrapolation(noise, setup.estimator, setup.roughness, where))
+    instant = "instant of first touch, from the end of the recording"
     parts = [
         Known("ball", "assumed: where the recording ends"),
-        Known(
-            "instant of first touch, from the end of the recording",
-            "assumed",
-            "contact_time",
-            deviations=[end.deviation],
-        ),
+        Known(instant, "assumed", "contact_time", deviations=[end.deviation]),
     ]
     code = "capture-ends-after-impact" if end.later else "capture-ends-with-impact"
     remark = note(code, later=end.later, frame=end.before + recording.first_frame, fewest=FEWEST)
@@ -142,22 +133,21 @@ def _meeting_at(
 ) -> Meeting:  # fmt: skip
     """Return the meeting for standard deviations ``instant`` of first touch [s] and ``deviation`` of the ball [m]."""
     assumed = setup.mapping.assumed
-    parts.append(
-        Known(
-            "impact point from the face centre, towards the toe and high", "assumed", "toe", [0.0, 0.0],
-            [assumed.toe, assumed.high],
-        )
-    )  # fmt: skip
+    point = "impact point from the face centre, towards the toe and high"
+    parts.append(Known(point, "assumed", "toe", [0.0, 0.0], [assumed.toe, assumed.high]))
     evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
-    ball = RestingBall(centre, deviation, 1, (0, len(times) - 1), None)
-    nowhere = np.full((len(times), 3), np.nan)
+    nowhere, ball = _unseen_ball(centre, deviation, len(times))
     return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, notes, tuple(parts))
+
+
+def _unseen_ball(centre: Array, deviation: float, frames: int) -> tuple[Array, RestingBall]:
+    """Return the centres, NaN, of a ball that no frame shows, and the ball at rest at ``centre`` in all of them."""
+    return np.full((frames, 3), np.nan), RestingBall(centre, deviation, 1, (0, frames - 1), None)
 
 
 def _ball_at_face_centre(approach: Approach, setup: Setup) -> Array:
     """Return the centre of a ball that touches the face centre at the instant of impact [m]."""
-    head, now = setup.club, np.zeros(())
-    values = series(approach.path.position, now)
+    head, values = setup.club, series(approach.path.position, np.zeros(()))
     attitude = exponential(values[3:]) @ approach.attitude
     touched = face_point(0.0, 0.0, head.bulge, head.roll)
     normal = nearest(touched, head.bulge, head.roll)[1]
@@ -176,9 +166,8 @@ def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[
     mapping = setup.mapping
     if mapping.ball is None:
         place = turn @ np.array(mapping.ball_position)
-        always = (0, len(recording.positions) - 1)
-        nowhere = np.full((len(recording.positions), 3), np.nan)
-        return nowhere, [RestingBall(place, mapping.ball_deviation, 1, always, None)]
+        nowhere, ball = _unseen_ball(place, mapping.ball_deviation, len(recording.positions))
+        return nowhere, [ball]
     offset = np.array(mapping.ball_offset) * mirror(setup.club.hand)
     seen = recording.marker(mapping.ball) @ turn.T + offset
     result = resting_places(seen, recording.rate)

@@ -39,30 +39,20 @@ def deliver(given: Inputs, attitude: Array, club: Club, radius: float) -> tuple[
     """Return deliveries at first touch in the order of ``QUANTITIES``, shape (..., 11), and times [s], shape (...).
 
     First touch, when the ball's centre is one radius in front of the face, is found by Newton's method from time zero.
-    Everything is for a right-hander; for a left-hander, path and face angle change sign later.
-
-    Parameters
-    ----------
-    given
-        Path, ball and club.
-    attitude
-        Rotation from club to world axes where the rotation vector is zero, shape (3, 3).
-    club
-        The club, for its CG, loft and face.
-    radius
-        Radius of the ball [m].
+    Everything is for a right-hander; for a left-hander, path and face angle change sign later. ``attitude`` is the
+    rotation from club to world axes where the rotation vector is zero, shape (3, 3), and ``radius`` the ball's [m].
     """
     time = np.zeros(given.ball.shape[:-1])
     turned = exponential(given.club[..., 3:])
     for _ in range(4):
-        _, velocity, rotation, spin, centre, offset = _pose(given, attitude, club, turned, time)
+        velocity, rotation, spin, centre, offset = _pose(given, attitude, club, turned, time)
         face = rotation @ face_axes(club.loft)
         local = np.einsum("...ji,...j->...i", face, given.ball - centre)
         distance, normal = nearest(local, club.bulge, club.roll)
         outward = np.einsum("...ij,...j->...i", face, normal)
         at_face = velocity + np.cross(spin, given.ball - radius * outward - offset)
         time = time + (distance - radius) / np.einsum("...i,...i->...", outward, at_face)
-    _, velocity, rotation, spin, centre, _ = _pose(given, attitude, club, turned, time)
+    velocity, rotation, spin, centre, _ = _pose(given, attitude, club, turned, time)
     face = rotation @ face_axes(club.loft)
     local = np.einsum("...ji,...j->...i", face, given.ball - centre)
     distance, normal = nearest(local, club.bulge, club.roll)
@@ -169,7 +159,7 @@ def gap(position: Array, rotation: Array, ball: Array, club: Club, radius: float
 
 
 def _pose(given: Inputs, attitude: Array, club: Club, turned: Array, time: Array) -> tuple[Array, ...]:
-    """Return position, velocity, rotation, angular velocity, face centre and CG of the club at ``time``."""
+    """Return velocity, rotation, angular velocity, face centre and CG of the club at ``time``."""
     place = series(given.position, time)
     rate = series(given.rate, time) / TIME
     rotation = exponential(place[..., 3:]) @ attitude
@@ -178,7 +168,7 @@ def _pose(given: Inputs, attitude: Array, club: Club, turned: Array, time: Array
     cg = place[..., :3] + arm
     velocity = rate[..., :3] + np.cross(spin, arm)
     rotation = rotation @ turned
-    return place[..., :3], velocity, rotation, spin, cg + np.einsum("...ij,j->...i", rotation, np.array(club.cg)), cg
+    return velocity, rotation, spin, cg + np.einsum("...ij,j->...i", rotation, np.array(club.cg)), cg
 
 
 def series(coefficients: Array, time: Array) -> Array:

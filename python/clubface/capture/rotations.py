@@ -139,6 +139,17 @@ class Poses(NamedTuple):
     rotation: Array  # from body to laboratory axes, shape (frames, 3, 3)
     residuals: Array  # between markers and body [m], shape (frames, markers, 3); NaN where a marker was not seen
 
+    @property
+    def known(self) -> NDArray[np.bool_]:
+        """Which frames have a pose."""
+        return np.isfinite(self.position[:, 0])
+
+    @property
+    def misfit(self) -> Array:
+        """Each frame's root mean square residual per degree of freedom [m]; NaN without a pose."""
+        freedom = np.maximum(degrees_of_freedom(self.residuals), 1)
+        return np.where(self.known, np.sqrt(np.nansum(self.residuals**2, axis=(-1, -2)) / freedom), np.nan)
+
 
 def fit_poses(shape: Any, observed: Any, weights: Any = None) -> Poses:
     """Fit rotation and position of a rigid body to its markers, frame by frame.

@@ -38,12 +38,8 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
     """Return the rotation from laboratory to world axes, shape (3, 3).
 
     The target is the axis named in the map, or the horizontal direction between the two markers of the target line at
-    their mean positions in ``recording``.
-
-    Raises
-    ------
-    FileError
-        Markers of the target line are missing, never seen, coincident, or above each other.
+    their mean positions in ``recording``. Raises FileError if these are missing, never seen, coincident, or above each
+    other.
     """
     up = axis(mapping.up)
     if isinstance(mapping.target, str):
@@ -58,11 +54,8 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
         target = (far - near) / length if length > 0.0 else up
         if abs(float(target @ up)) > STEEP:
             names = " and ".join(mapping.target)
-            raise FileError(
-                recording.path,
-                None,
-                f"{names} define no target line; they are {units.fixed(length, 'mm', 0)} apart, and {mapping.up} is up",
-            )
+            apart = f"they are {units.fixed(length, 'mm', 0)} apart, and {mapping.up} is up"
+            raise FileError(recording.path, None, f"{names} define no target line; {apart}")
         target = target - (target @ up) * up
         target = target / np.linalg.norm(target)
     return np.stack([target, up, np.cross(target, up)])
@@ -81,8 +74,7 @@ class Setup:
 
     def turn(self, recording: Recording) -> Array:
         """Return the matrix from laboratory axes to the world for a right-hander, shape (3, 3)."""
-        turn = to_world(self.mapping, recording)
-        return mirror(self.club.hand)[:, None] * turn
+        return mirror(self.club.hand)[:, None] * to_world(self.mapping, recording)
 
     def cluster(self, recording: Recording) -> Registration:
         """Return the registration of the cluster on the club, from ``recording`` if no other file gives it."""
@@ -97,7 +89,7 @@ class Setup:
 
 
 class Options(TypedDict, total=False):
-    """Keyword options of :func:`read_swing` and :func:`read_swings`, as for :func:`prepare`."""
+    """Keyword options of :func:`clubface.capture.read_swing`, which describes them, and of ``read_swings``."""
 
     estimator: str
     roughness: float
@@ -124,34 +116,7 @@ def prepare(
 ) -> Setup:
     """Prepare the setup of a session, which includes reading the calibration file.
 
-    Parameters
-    ----------
-    mapping
-        Marker map: the path of a TOML file (see ``template``), or a :class:`MarkerMap`.
-    club
-        A built-in name, the path of a TOML file, or a :class:`Club`.
-    estimator
-        "smoother", "polynomial", or "linear" (the straight lines of Caldwell and McPhee, 2023).
-    roughness
-        For the smoother: how far the path may depart from a quartic.
-    ball
-        The ball, for its radius; default ``modern``.
-    hand
-        "right" or "left"; default: the club's.
-    target, up
-        Laboratory axes such as "+y", overriding those of the map.
-    unit
-        Unit of length of the files, overriding their own.
-    noise
-        Standard deviation of a marker along an axis, such as "0.3 mm". Default: the map's, or an estimate from
-        residuals.
-
-    Raises
-    ------
-    FileError
-        A mapping or calibration file cannot be used.
-    InputError
-        An option is invalid, or the club is not that of the map.
+    Parameters and errors are those of :func:`clubface.capture.read_swing`.
     """
     estimator_of(estimator)
     words: dict[str, Any] = {key: value for key, value in (("target", target), ("up", up)) if value is not None}

@@ -254,22 +254,10 @@ def study(
 
 
 def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: Iterable[Setup]) -> list[Any]:
-    """Read one synthetic swing with several setups; the outcome depends on ``seed`` and ``number`` only.
+    """Read the synthetic swing of this ``seed`` and ``number`` with several setups.
 
-    Parameters
-    ----------
-    number, seed
-        Identify the swing.
-    club, cameras
-        The club, and the cameras.
-    ready
-        Setups with which it is read.
-
-    Returns
-    -------
-    list
-        The true delivery, shape (11,); then errors and stated standard deviations per setup, shape (setups, 11), and
-        errors of the time of first touch; all in SI units.
+    Returns the true delivery, shape (11,); errors and stated standard deviations per setup, shape (setups, 11); and
+    errors of the time of first touch; all in SI units.
     """
     swing = random_swing(np.random.default_rng([seed, number, 0]), club=club)
     truth = np.array([swing.truth[name] for name in QUANTITIES])

@@ -27,7 +27,7 @@ from clubface.capture.markers import AXES, MarkerMap
 from clubface.capture.meeting import SURPRISING, meet
 from clubface.capture.recording import Recording, read_c3d, without_filled
 from clubface.capture.reduction import QUANTITIES, Inputs, with_covariance
-from clubface.capture.rotations import angles, degrees_of_freedom, exponential, mirror
+from clubface.capture.rotations import angles, exponential, mirror
 from clubface.capture.setup import Options, Setup, prepare
 from clubface.capture.tracking import LEAST_MISFIT, Track, look_alikes, track
 from clubface.equipment.clubs import Club
@@ -174,12 +174,9 @@ def _trace(recording: Recording, followed: Track, inputs: Inputs, setup: Setup) 
     arm, turned = inputs.club[:3], rotation @ exponential(inputs.club[3:])
     centre = followed.poses.position + rotation @ arm + turned @ np.array(head.cg)
     loft, face, _ = angles(turned, head.loft)
-    squares = followed.poses.residuals**2
-    freedom = np.maximum(degrees_of_freedom(followed.poses.residuals), 1)
-    residual = np.where(followed.known, np.sqrt(np.nansum(squares, axis=(-1, -2)) / freedom), np.nan)
-    to_hand = mirror(head.hand)
+    to_hand, misfit = mirror(head.hand), followed.poses.misfit
     return Trace(
-        recording.times, centre * to_hand, loft, face * head.hand, residual, inputs.ball * to_hand, setup.ball.radius
+        recording.times, centre * to_hand, loft, face * head.hand, misfit, inputs.ball * to_hand, setup.ball.radius
     )
 
 

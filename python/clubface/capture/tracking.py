@@ -38,7 +38,7 @@ class Track(NamedTuple):
     @property
     def known(self) -> NDArray[np.bool_]:
         """Which frames have a pose."""
-        return np.isfinite(self.poses.position[:, 0])
+        return self.poses.known
 
     def noise(self, frames: NDArray[np.bool_]) -> tuple[float, int]:
         """Return the standard deviation of a marker along an axis [m] from residuals, and its degrees of freedom."""
@@ -74,7 +74,7 @@ def track(shape: Array, observed: Array, names: Sequence[str], path: str) -> Tra
     check_seen(observed, names, path)
     check_scale(shape, observed, path)
     poses = fit_poses(shape, observed)
-    misfit = _misfit(poses)
+    misfit = poses.misfit
     as_recorded = observed.copy()
     usual = float(np.nanmedian(misfit))
     wrong = usual > WRONG_SHAPE
@@ -146,15 +146,8 @@ def check_scale(shape: Array, observed: Array, path: str) -> None:
 def look_alikes(shape: Array, names: Sequence[str], smallest: float) -> list[tuple[str, ...]]:
     """Return the sets of markers whose exchange displaces none by ``smallest`` [m], and so would go unnoticed."""
     orders = _orders(len(shape))[1:]
-    misfit = _misfit(fit_poses(shape, shape[orders]))
+    misfit = fit_poses(shape, shape[orders]).misfit
     return [_swapped_markers(orders[place], names) for place in np.flatnonzero(misfit < smallest)]
-
-
-def _misfit(poses: Poses) -> Array:
-    """Return each frame's root mean square residual per degree of freedom [m]; NaN without a pose."""
-    freedom = degrees_of_freedom(poses.residuals)
-    known = np.isfinite(poses.position[:, 0])
-    return np.where(known, np.sqrt(np.nansum(poses.residuals**2, axis=(-1, -2)) / np.maximum(freedom, 1)), np.nan)
 
 
 def _orders(count: int) -> NDArray[np.int64]:
@@ -175,7 +168,7 @@ def _orders(count: int) -> NDArray[np.int64]:
 def _best_order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
     """Return the permutation in which the markers of one frame fit best, or None if none fits."""
     orders = _orders(len(shape))
-    misfit = _misfit(fit_poses(shape, observed[orders]))
+    misfit = fit_poses(shape, observed[orders]).misfit
     if np.isnan(misfit).all():
         return None
     best = int(np.nanargmin(misfit))
@@ -187,7 +180,7 @@ def _stray_marker(shape: Array, observed: Array, limit: float) -> int | None:
     """Return the marker without which the others fit, or None."""
     without = np.repeat(observed[None], len(shape), axis=0)
     without[np.arange(len(shape)), np.arange(len(shape))] = np.nan
-    misfit = np.where(visible(observed), _misfit(fit_poses(shape, without)), np.nan)
+    misfit = np.where(visible(observed), fit_poses(shape, without).misfit, np.nan)
     if visible(observed).sum() <= FEWEST or np.isnan(misfit).all():
         return None
     best = int(np.nanargmin(misfit))
@@ -201,7 +194,7 @@ def _diagnosis(shape: Array, observed: Array, names: Sequence[str], usual: float
     whole = np.flatnonzero(np.all(visible(observed), axis=-1))
     frames = whole[:: max(len(whole) // 15, 1)]
     if len(frames):
-        if np.median(_misfit(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]))) < LEAST_MISFIT:
+        if np.median(fit_poses(shape * [1.0, 1.0, -1.0], observed[frames]).misfit) < LEAST_MISFIT:
             return f"{words}; their mirror image fits, so the hand of the club or an axis of the laboratory is wrong"
         orders = [_best_order(shape, observed[frame], LEAST_MISFIT) for frame in frames]
         exchanged = [None if order is None else _swapped_markers(order, names) for order in orders]
