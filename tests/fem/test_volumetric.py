@@ -5,9 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from clubface import fem
+from clubface import _core as core, fem
 from clubface.errors import FileError, InputError
-from clubface.fem import core, keyword
+from clubface.fem import keyword
 from clubface.fem.case import case
 from clubface.fem.materials import Material, Maxwell
 from fem_runs import drive_case, of_core, write_case

@@ -11,12 +11,7 @@ from clubface.capture.estimators import ESTIMATORS
 from clubface.capture.geometry import Assumed, Known
 from clubface.capture.markers import FacePoint, MarkerMap, template
 from clubface.capture.recording import Recording, read_c3d, write_c3d
-from clubface.capture.swing import (
-    CapturedSwings,
-    join,
-    read_swing,
-    read_swings,
-)
+from clubface.capture.swing import CapturedSwings, join, read_swing, read_swings
 
 __all__ = [
     "ESTIMATORS", "Assumed", "CapturedDelivery", "CapturedSwings", "FacePoint", "Known", "MarkerMap", "Recording",

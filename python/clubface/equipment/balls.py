@@ -174,15 +174,11 @@ class Ball(EquipmentItem):
         set_si(self)
         check_body("ball", self.inputs())
         if self.mass > BALL_MASS_LIMIT * (1.0 + 1e-9):
-            warn_once(
-                f"{self.name}: ball mass {units.fixed(self.mass, 'g', 2)} is above the rule limit of 45.93 g",
-                RuleWarning,
-            )
+            shown = units.fixed(self.mass, "g", 2)
+            warn_once(f"{self.name}: ball mass {shown} is above the rule limit of 45.93 g", RuleWarning)
         if 2.0 * self.radius < BALL_DIAMETER_LIMIT * (1.0 - 1e-9):
-            warn_once(
-                f"{self.name}: ball diameter {self.radius * 2e3:.2f} mm is below the rule limit of 42.67 mm",
-                RuleWarning,
-            )
+            shown = units.fixed(2.0 * self.radius, "mm", 2)
+            warn_once(f"{self.name}: ball diameter {shown} is below the rule limit of 42.67 mm", RuleWarning)
 
     def inputs(self) -> dict[str, float]:
         """Return the values [SI] used by the models, under the core's names and in its order."""
@@ -218,10 +214,8 @@ class Ball(EquipmentItem):
     def template(name: str = "my-ball") -> str:
         """Return a commented TOML template for your own ball."""
         check_name(name)
-        head = [
-            "# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).",
-        ]
-        return "\n".join(head + template_lines(Ball, {"name": quoted(name), "description": '""'}))
+        lines = template_lines(Ball, {"name": quoted(name), "description": '""'})
+        return "\n".join(["# A ball. A value is text with a unit; a bare number is SI (kg, m, kg m2).", *lines])
 
 
 BALL_PROPERTIES = quantities(Ball)

@@ -185,20 +185,15 @@ class Club(EquipmentItem):
         return changed(self, changes)
 
     def _warn(self) -> None:
+        above = "is above the rule limit of"
         if self.kind != "iron" and self.iyy > MOI_LIMIT + MOI_TOLERANCE:
-            warn_once(
-                f"{self.name}: moment of inertia about the vertical axis {units.fixed(self.iyy, 'g cm2', 0)} is above"
-                " the rule limit of 5900 g cm2 (tolerance 100)",
-                RuleWarning,
-            )
+            shown = f"moment of inertia about the vertical axis {units.fixed(self.iyy, 'g cm2', 0)}"
+            warn_once(f"{self.name}: {shown} {above} 5900 g cm2 (tolerance 100)", RuleWarning)
         if self.cor is not None and self.cor > COR_LIMIT:
-            warn_once(f"{self.name}: COR {self.cor:.3f} is above the rule limit of 0.83", RuleWarning)
+            warn_once(f"{self.name}: COR {self.cor:.3f} {above} 0.83", RuleWarning)
         elif self.cor is None and self.characteristic_time > (TIME_LIMIT + TIME_TOLERANCE) * (1.0 + 1e-9):
-            warn_once(
-                f"{self.name}: characteristic time {units.fixed(self.characteristic_time, 'us', 0)} is above the rule"
-                " limit of 239 us (tolerance 18)",
-                RuleWarning,
-            )
+            shown = f"characteristic time {units.fixed(self.characteristic_time, 'us', 0)}"
+            warn_once(f"{self.name}: {shown} {above} 239 us (tolerance 18)", RuleWarning)
         if self.mass > 1.0:
             warn_once(f"{self.name}: clubhead mass {self.mass:g} kg; plain numbers are in kg", ImplausibleWarning)
 

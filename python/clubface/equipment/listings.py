@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from clubface.equipment.balls import BALL_PROPERTIES, Ball, ball_names
+from clubface.equipment.balls import BALL_DIAMETER_LIMIT, BALL_PROPERTIES, Ball, ball_names
 from clubface.equipment.clubs import CATEGORIES, CLUB_NAMES, CLUB_PROPERTIES, TOUR_CLUBS, Club, club
 from clubface.equipment.models import DEFAULT_MODEL, Model, Parameter, further_models, model, models
 from clubface.equipment.parameters import RANGES, ParameterSet, builtin_sets, in_words
@@ -12,6 +12,7 @@ from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
 from clubface.results.result import Result
 from clubface.results.table import Column, Table, column, table, text
+from clubface.schema import Entry
 from clubface.support.checks import without_warnings
 from clubface.units import SI_UNITS
 
@@ -21,8 +22,6 @@ PAPERS = {
     "Caldwell and McPhee (2023)": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
     "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
 }
-LEAST_DIAMETER = 42.67e-3
-"""Minimum diameter of a conforming ball [m]."""
 
 
 def models_result() -> Result:
@@ -80,10 +79,10 @@ def model_result(name: str) -> Result:
     notes += [note("parameters-from", parameters=names, source=source) for source, names in sources.items() if source]
     notes += [each for place, one in enumerate(sets, 1) for each in _set_notes(place, one)]
     title = f"{shown.name}: {shown.title} ({shown.kind})"
-    tables = [_function_table(functions)] if functions else []
-    tables += [declared] if not sets else [declared, _published_values(shown, sets)]
+    tables = [declared] if not sets else [declared, _published_values(shown, sets)]
     if functions:
-        tables.insert(1, _feature_table())
+        features = text("feature", list(FEATURES)), text("meaning", list(FEATURES.values()))
+        tables = [_function_table(functions), table("features", *features, title="What they depend on"), *tables]
         notes.insert(1, note("coefficients-are-terms", coefficients=len(terms), functions=len(functions)))
     return Result("model", title, tuple(tables), notes=tuple(notes))
 
@@ -137,11 +136,6 @@ def _function_table(functions: Mapping[str, Sequence[Parameter]]) -> Table:
         text("formula", [_formula(name, each) for name, each in functions.items()]),
         title="Functions",
     )
-
-
-def _feature_table() -> Table:
-    return table("features", text("feature", list(FEATURES)), text("meaning", list(FEATURES.values())),
-                 title="What they depend on")  # fmt: skip
 
 
 def _published_values(shown: Model, sets: Sequence[ParameterSet]) -> Table:
@@ -208,7 +202,7 @@ def clubs_result() -> Result:
         title="Balls",
     )
     notes = [note("clubs-listed")]
-    if any(2.0 * each.radius < LEAST_DIAMETER for each in balls):
+    if any(2.0 * each.radius < BALL_DIAMETER_LIMIT for each in balls):
         notes.append(note("small-ball"))
     return Result("clubs", "Clubs and balls", (listed, weights), notes=tuple(notes))
 
@@ -220,12 +214,11 @@ def club_result(shown: Club | Ball) -> Result:
     by_source: dict[str, int] = {}
     marks = [shown.sources.get(name, "") for name in names]
     marks = [f"[{by_source.setdefault(each, len(by_source) + 1)}]" if each else "" for each in marks]
+    quantities = [_quantity_of(name, properties[name]) for name in names]
     listed = table(
         "values",
         text("field", names),
-        Column(
-            "value", [getattr(shown, name) for name in names], [_quantity_of(name, shown) for name in names], digits=-6
-        ),
+        Column("value", [getattr(shown, name) for name in names], quantities, digits=-6),
         text("mark", marks, label="source", in_files=False),
         text("meaning", [properties[name].meaning for name in names]),
         text("source", [shown.sources.get(name, "") for name in names], printed=False),
@@ -251,8 +244,7 @@ def _is_known(shown: Club | Ball, name: str) -> bool:
     return bool(shown.cor or shown.characteristic_time)
 
 
-def _quantity_of(name: str, shown: Club | Ball) -> Quantity:
+def _quantity_of(name: str, field: Entry) -> Quantity:
     """Return a field as a quantity in the unit used in files of clubs and balls."""
-    field = (CLUB_PROPERTIES if isinstance(shown, Club) else BALL_PROPERTIES)[name]
     reading = Reading(field.unit, 4)
     return Quantity(name, SI_UNITS[field.dimension], reading, reading, name.replace("_", " "), meaning=field.meaning)

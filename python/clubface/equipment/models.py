@@ -13,12 +13,8 @@ from clubface import _core
 from clubface.errors import InputError, UnknownNameError
 from clubface.support.checks import Frozen
 
-PARAMETER_KEYS = ("name", "unit", "meaning", "default", "lower", "upper", "source")
 DEFAULT_MODEL = "response"
 """Name of the default model."""
-
-MODEL_KEYS = ("name", "title", "kind", "summary", "reference")
-
 
 MODULES = {"fem": "clubface.fem.backend"}
 """Module of each model that is not one of the reduced models in the compiled core, by model name.
@@ -144,20 +140,13 @@ def models() -> dict[str, Model]:
 def _registered() -> Mapping[str, Model]:
     result = {}
     for entry in _core.models():
-        parameters = tuple(Parameter(**{key: each[key] for key in PARAMETER_KEYS}) for each in entry["parameters"])
-        plain = {key: entry[key] for key in MODEL_KEYS}
-        without = entry.get("laws_without")
-        result[entry["name"]] = Model(
-            **plain,
-            laws=tuple(entry["laws"]),
-            laws_without=(without[0], tuple(without[1])) if without else None,
-            parameters=parameters,
-            face_in=entry["face_in"],
-            lacks=tuple(entry["lacks"]),
-            gear_effect=entry["gear_effect"],
-            ball=entry["ball"],
-            valid=tuple(ValidRange(**each) for each in entry["valid"]),
-        )
+        without = entry["laws_without"]
+        lists = {
+            "laws": tuple(entry["laws"]), "laws_without": (without[0], tuple(without[1])) if without else None,
+            "parameters": tuple(Parameter(**each) for each in entry["parameters"]), "lacks": tuple(entry["lacks"]),
+            "valid": tuple(ValidRange(**each) for each in entry["valid"]),
+        }  # fmt: skip
+        result[entry["name"]] = Model(**(entry | lists))
     return Frozen(result)
 
 

@@ -26,7 +26,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import TYPE_CHECKING, Any, NamedTuple, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from clubface import units
 from clubface.equipment.models import MODULES, OWN, Model, Parameter, model, model_names, models
@@ -86,14 +86,7 @@ Range = Mapping[str, tuple[float, float]]
 """Minimum and maximum value [SI] by quantity."""
 
 
-class Bounded(NamedTuple):
-    """A quantity that may have a range: its name in words, and its common unit."""
-
-    words: str
-    unit: str
-
-
-QUANTITIES = {each.name: Bounded(each.label, each.reading) for declared in models().values() for each in declared.valid}
+QUANTITIES = {each.name: each for declared in models().values() for each in declared.valid}
 """Quantities that a range may refer to: inputs of a shot, the parameter ``friction``, and ``incidence``, the angle
 between clubhead velocity and the normal at the face centre."""
 
@@ -107,24 +100,22 @@ which ``response`` is fitted were generated from its range. Positions on the fac
 easily off centre, but the small heads among the strikes do so as much as built-in clubs 30 mm off the face centre."""
 
 
-RANGE = Record(
-    {
-        name: Interval(PhysicalValue(each.unit), '["101 mph", "118 mph"]', is_range=False)
-        for name, each in QUANTITIES.items()
-    }
-)
+RANGE = Record({
+    name: Interval(PhysicalValue(each.reading), '["101 mph", "118 mph"]', is_range=False)
+    for name, each in QUANTITIES.items()
+})  # fmt: skip
 """Type of a table of ranges."""
 
 
 def in_words(limits: Range) -> str:
     """Describe a range: "clubhead speed 101 to 118 mph"."""
-    return ", ".join(f"{QUANTITIES[name].words} {ends_in_words(name, limits)}" for name in limits)
+    return ", ".join(f"{QUANTITIES[name].label} {ends_in_words(name, limits)}" for name in limits)
 
 
 def ends_in_words(name: str, limits: Range) -> str:
     """Describe the limits of one quantity in a range: "101 to 118 mph"."""
-    least, most = limits[name]
-    return f"{units.show(least, QUANTITIES[name].unit, 4).split()[0]} to {units.show(most, QUANTITIES[name].unit, 4)}"
+    least, most = (units.show(each, QUANTITIES[name].reading, 4) for each in limits[name])
+    return f"{least.split()[0]} to {most}"
 
 
 FAMILIES = ("driver", "7-iron", "any")
@@ -286,14 +277,10 @@ class ParameterSet:
         new = {key: parsed(value, declared.parameter(key)) for key, value in changes.items()}
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
         source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
+        values, unchosen = {**self.values, **new}, self.unchosen - changes.keys()
         return replace(
-            self,
-            values={**self.values, **new},
-            value_caveats=kept,
-            source=source,
-            default=False,
-            unchosen=self.unchosen - changes.keys(),
-        )
+            self, values=values, value_caveats=kept, source=source, default=False, unchosen=unchosen
+        )  # fmt: skip
 
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
         """Return the set with values of the ball ``name`` in place of parameters left at their defaults."""
@@ -373,12 +360,9 @@ def builtin_sets(model_name: str | None = None) -> tuple[ParameterSet, ...]:
     if model_name is not None:
         model(model_name)
         return tuple(each for each in builtin_sets() if each.model == model_name)
-    result = [
-        each
-        for path in sorted((DATA / "parameters").glob("*.toml"))
-        for each in read_sets(Document.read(path), path.stem)
-    ]
-    return tuple(sorted(result, key=lambda each: not each.default))
+    paths = sorted((DATA / "parameters").glob("*.toml"))
+    every = [each for path in paths for each in read_sets(Document.read(path), path.stem)]
+    return tuple(sorted(every, key=lambda each: not each.default))
 
 
 def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]:

@@ -88,34 +88,24 @@ class RuleVerdict(NamedTuple):
         return "conforms within the tolerance" if self.within_tolerance else "conforms"
 
 
-_PLACES = {
-    "moment_of_inertia": ("head-inertia-limit", "inertia_most", "tolerance"),
-    "characteristic_time": ("spring-effect-limit", "characteristic_time_most", "tolerance"),
-    "volume": ("head-volume-limit", "volume_most", "tolerance"),
-    "heel_to_toe": ("head-dimension-limits", "heel_to_toe_most", None),
-    "sole_to_crown": ("head-dimension-limits", "sole_to_crown_most", None),
+_LIMITS = {
+    "moment_of_inertia": ("moment of inertia, vertical axis", "head-inertia-limit", "inertia_most"),
+    "characteristic_time": ("characteristic time of the face", "spring-effect-limit", "characteristic_time_most"),
+    "volume": ("volume of the head", "head-volume-limit", "volume_most"),
+    "heel_to_toe": ("distance from heel to toe", "head-dimension-limits", "heel_to_toe_most"),
+    "sole_to_crown": ("distance from sole to crown", "head-dimension-limits", "sole_to_crown_most"),
 }
-"""Table, column and tolerance column of each limit in the published data."""
-
-_TITLES = {
-    "moment_of_inertia": "moment of inertia, vertical axis",
-    "characteristic_time": "characteristic time of the face",
-    "volume": "volume of the head",
-    "heel_to_toe": "distance from heel to toe",
-    "sole_to_crown": "distance from sole to crown",
-}
+"""Title of each limit, and its table and column in the published data."""
 
 
 @cache
 def rules() -> Mapping[str, Rule]:
     """Return the limits by name."""
     result = {}
-    for name, (source, column, tolerance) in _PLACES.items():
+    for name, (title, source, column) in _LIMITS.items():
         published = published_data.table(source)
-        margin = 0.0 if tolerance is None else float(published[tolerance][0])
-        result[name] = Rule(
-            name, _TITLES[name], float(published[column][0]), margin, published.units[column], published.source
-        )
+        margin = float(published["tolerance"][0]) if "tolerance" in published.columns else 0.0
+        result[name] = Rule(name, title, float(published[column][0]), margin, published.units[column], published.source)
     return Frozen(result)
 
 

@@ -158,14 +158,10 @@ class Shaft(EquipmentItem):
 
     def beam(self) -> Beam:
         """Return the shaft as a beam."""
-        mass, bending, torsion, diameter = (
-            np.array(each)
-            for each in (self.mass_per_length, self.bending_stiffness, self.torsional_stiffness, self.diameter)
-        )
-        axial = np.array(self.axial_stiffness) if self.axial_stiffness else 8.0 * bending / diameter**2
+        place, mass, bending, torsion, diameter, axial = (np.array(getattr(self, name)) for name in self.LISTS)
         return Beam(
-            np.array(self.position), mass, bending, torsion, axial, diameter / math.sqrt(8.0), self.grip,
-            self.grip_stiffness, self.grip_mass,
+            place, mass, bending, torsion, axial if len(axial) else 8.0 * bending / diameter**2,
+            diameter / math.sqrt(8.0), self.grip, self.grip_stiffness, self.grip_mass,
         )  # fmt: skip
 
     def modes(self, club: Head) -> Modes:

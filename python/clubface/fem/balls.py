@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.balls import (
     COVER_FRICTION,
     DEFAULT_BALL,
@@ -22,7 +22,6 @@ from clubface.equipment.balls import (
     ball_names as all_names,
 )
 from clubface.errors import InputError
-from clubface.fem import core
 from clubface.fem.geometry import element_masses, sums_at_nodes
 from clubface.fem.materials import ENERGY, NOT_CONSTANTS, REGISTERED, Energy, Material, Maxwell, builtin_laws, laws
 from clubface.results.result import Described, Result

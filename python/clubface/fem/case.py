@@ -95,10 +95,7 @@ class Case:
         """Return a copy with changed delivery, ball, club, friction or settings."""
         fields = {key: changes.pop(key) for key in ("ball", "friction", "club") if key in changes}
         return replace(
-            self,
-            delivery={**self.delivery, **changes},
-            settings=replace(self.settings, **(settings or {})),
-            **fields,
+            self, delivery={**self.delivery, **changes}, settings=replace(self.settings, **(settings or {})), **fields
         )
 
     def run(self, progress: Progress | None = None) -> Impact:

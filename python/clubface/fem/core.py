@@ -8,27 +8,6 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from clubface._core import (
-    FemImpact as FemImpact,
-    fem_ball as fem_ball,
-    fem_check_law as fem_check_law,
-    fem_driver as fem_driver,
-    fem_energy as fem_energy,
-    fem_energy_instability as fem_energy_instability,
-    fem_energy_values as fem_energy_values,
-    fem_head_properties as fem_head_properties,
-    fem_impact as fem_impact,
-    fem_iron as fem_iron,
-    fem_laws as fem_laws,
-    fem_mesh as fem_mesh,
-    fem_register_law as fem_register_law,
-    fem_sensitivity as fem_sensitivity,
-    fem_shear as fem_shear,
-    fem_thickness_points as fem_thickness_points,
-    fem_variables as fem_variables,
-    fem_volumetric as fem_volumetric,
-    fem_yield_stress as fem_yield_stress,
-)
 from clubface.errors import ShotError
 
 T = TypeVar("T")

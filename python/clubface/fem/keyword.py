@@ -14,11 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.clubs import Club
 from clubface.equipment.face import face_point, nearest, turn_to_sole
 from clubface.errors import InputError
-from clubface.fem import core
 from clubface.fem.balls import Ball
 from clubface.fem.case import MESHED, PLANE, RIGID, Case
 from clubface.fem.heads import MeshedHead, Metal, ShellHead

@@ -18,9 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.errors import ImplausibleWarning, InputError, Wording
-from clubface.fem import core
 from clubface.schema import PhysicalValue, check_values, file_key
 from clubface.simulation.own_law import function_address
 from clubface.support.arrays import Floats

@@ -27,9 +27,9 @@ from clubface.support.arrays import Floats
 from clubface.support.version import __version__
 
 if TYPE_CHECKING:
+    from clubface._core import FemImpact
     from clubface.equipment.balls import Ball as RigidBall
     from clubface.equipment.clubs import Club
-    from clubface.fem.core import FemImpact
     from clubface.fem.heads import MeshedHead
     from clubface.fem.settings import Settings
     from clubface.simulation.inputs import Shots

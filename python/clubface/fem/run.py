@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.balls import FRICTION_LIMITS, Ball as RigidBall
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import Parameter
 from clubface.errors import EdgeWarning, InputError, ShotError
-from clubface.fem import core
 from clubface.fem.balls import FRICTION as FRICTION_OF_A_BALL, Ball, ball as ball_of, friction_of
 from clubface.fem.core import THE_RUN, Progress, core_call
 from clubface.fem.heads import head_names
@@ -32,7 +31,7 @@ from clubface.support.files import builtin_names, is_path
 from clubface.support.renamed import renamed_arguments
 
 if TYPE_CHECKING:
-    from clubface.fem.core import FemImpact
+    from clubface._core import FemImpact
     from clubface.simulation.inputs import Shots
 
 __all__ = ["Derivatives", "sensitivity", "strike", "throw", "variables"]

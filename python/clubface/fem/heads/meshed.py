@@ -12,9 +12,8 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.equipment.clubs import CLUB_PROPERTIES, Club
-from clubface.fem import core
 from clubface.fem.core import in_thread
 from clubface.fem.geometry import area_vectors, outer_quads, triangles
 from clubface.fem.heads.metal import Metal

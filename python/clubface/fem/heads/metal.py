@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.errors import InputError, Wording
-from clubface.fem import core
 from clubface.schema import Choice, PhysicalValue, Place, Table, Value, check_values, count, file_key
 from clubface.support.checks import check_count
 

@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from clubface import units
+from clubface import _core as core, units
 from clubface.errors import InputError, MeshWarning, TargetWarning
-from clubface.fem import core
 from clubface.fem.balls import ELEMENTS
 from clubface.fem.core import in_thread
 from clubface.fem.geometry import element_masses, sums_at_nodes

@@ -62,13 +62,11 @@ FACE_COSINE = math.cos(math.radians(45.0))
 """Cosine of the angle to the face normal up to which the ball may touch an element of a face group."""
 
 
-BOND = {
-    "part": NAME,
-    "to": NAME,
-    "within": PhysicalValue("mm", 0, 2),
-}
-"""Types of the values of a bond."""
-BOND_TABLE = Record(BOND, ("part", "to"), make=lambda values, _: Bond(**values))
+BOND_TABLE = Record(
+    {"part": NAME, "to": NAME, "within": PhysicalValue("mm", 0, 2)},
+    ("part", "to"),
+    make=lambda values, _: Bond(**values),
+)
 RADIUS = PhysicalValue("mm", above=0, allowed=f'above 0 mm, or "{FLAT}"', special={FLAT: math.inf})
 
 
