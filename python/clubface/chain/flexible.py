@@ -53,17 +53,16 @@ class FlexibleShaft(NamedTuple):
     frequency: Any
 
 
+Body = tuple[float, Any, Any]
+"""Mass [kg], CG [m] and inertia about it [kg m2] of a rigid body, shapes (), (3,) and (3, 3)."""
+
+
 class Links(NamedTuple):
-    """Links of a shaft: rigid pieces between the joints at which it bends."""
+    """Links of a shaft: rigid pieces between the joints at which it bends, in the axes of the reference pose."""
 
     joint: Any  # distance of the joints from the hands [m], shape (links,); the piece before the first is not a link
-    mass: Any  # of each link [kg]
-    cg: Any  # distance of its CG from the hands [m]
-    inertia: Any  # about its CG, across and along the shaft [kg m2], shape (links, 2)
-    # The same for everything that is held: the piece before the first joint, the shaft above the hands, the grip.
-    grip_mass: float
-    grip_cg: float
-    grip_inertia: Any
+    bodies: list[Body]
+    grip: Body  # everything that is held: the piece before the first joint, the shaft above the hands, the grip
 
 
 def held_length(shaft: Shaft, hands: float) -> float:
@@ -76,21 +75,16 @@ def held_length(shaft: Shaft, hands: float) -> float:
 
 def links_of(shaft: Shaft, hands: float, count: int) -> Links:
     """Return the rigid pieces of a shaft with joints in the middle of ``count`` equal sections."""
-    length = held_length(shaft, hands)
+    length, down = held_length(shaft, hands), -np.array(shaft.axis)
     joint = (np.arange(count) + 0.5) * length / count
     edges = np.append(joint, length)
-    pieces = [_piece(shaft, length, low, high) for low, high in pairwise(edges)]
-    mass, cg, inertia = (np.array(each) for each in zip(*pieces, strict=True))
-    own = _piece(shaft, length, -hands, edges[0])
-    grip = (shaft.grip_mass, -hands, np.zeros(2))
-    total = own[0] + grip[0]
-    centre = (own[0] * own[1] + grip[0] * grip[1]) / total
-    across = sum(each[0] * (each[1] - centre) ** 2 for each in (own, grip))
-    return Links(joint, mass, cg, inertia, total, centre, own[2] + np.array([across, 0.0]))
+    bodies = [_piece(shaft, length, low, high) for low, high in pairwise(edges)]
+    grip = (shaft.grip_mass, -hands * down, np.zeros((3, 3)))
+    return Links(joint, bodies, combined(_piece(shaft, length, -hands, edges[0]), grip))
 
 
-def _piece(shaft: Shaft, length: float, low: float, high: float) -> tuple[float, float, Any]:
-    """Return mass, CG and inertia, across and along the shaft, of the part between two distances from the hands."""
+def _piece(shaft: Shaft, length: float, low: float, high: float) -> Body:
+    """Return the part of the shaft between two distances from the hands."""
     points, weights = np.polynomial.legendre.leggauss(POINTS)
     at = low + 0.5 * (high - low) * (points + 1.0)
     from_tip = length - at
@@ -98,7 +92,20 @@ def _piece(shaft: Shaft, length: float, low: float, high: float) -> tuple[float,
     gyration = np.interp(from_tip, shaft.position, shaft.diameter) ** 2 / 8.0
     mass = float(density.sum())
     cg = float(density @ at) / mass
-    return mass, cg, np.array([density @ ((at - cg) ** 2 + gyration), 2.0 * density @ gyration])
+    onto = np.outer(shaft.axis, shaft.axis)
+    inertia = density @ ((at - cg) ** 2 + gyration) * (np.eye(3) - onto) + 2.0 * density @ gyration * onto
+    return mass, -cg * np.array(shaft.axis), inertia
+
+
+def combined(one: Body, other: Body) -> Body:
+    """Return two bodies as one."""
+    mass = one[0] + other[0]
+    cg = (one[0] * one[1] + other[0] * other[1]) / mass
+    inertia = np.zeros((3, 3))
+    for own, place, about in (one, other):
+        away = place - cg
+        inertia = inertia + about + own * (away @ away * np.eye(3) - np.outer(away, away))
+    return mass, cg, inertia
 
 
 def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:
@@ -144,12 +151,8 @@ def flexible_shaft(shaft: Shaft, club: Club, hands: float, links: int, modes: in
             result.append(chosen.T @ elastic @ chosen)
         return np.array(result)
 
-    return FlexibleShaft(
-        np.diff(sampled, axis=-1).transpose(0, 2, 1),
-        stiffness("bending"),
-        stiffness("torsion"),
-        np.sqrt(squares),
-    )
+    turn = np.diff(sampled, axis=-1).transpose(0, 2, 1)
+    return FlexibleShaft(turn, stiffness("bending"), stiffness("torsion"), np.sqrt(squares))
 
 
 def _shapes(elastic: Any, mass: Any, tip: Any, turn: Any, count: int) -> tuple[Any, Any]:
@@ -164,13 +167,10 @@ def _shapes(elastic: Any, mass: Any, tip: Any, turn: Any, count: int) -> tuple[A
     loads[:6] = np.transpose([*across, *moments])
     static = np.linalg.solve(elastic, loads)
     natural = natural_modes(elastic, mass)[1][:, : max(0, count - STATIC_SHAPES)]
-    basis = np.linalg.qr(np.concatenate([_normalise_mass(static, mass), natural], axis=1))[0]
-    squares, combined = natural_modes(basis.T @ elastic @ basis, basis.T @ mass @ basis)
-    return squares[:count], basis @ combined[:, :count]
-
-
-def _normalise_mass(shapes: Any, mass: Any) -> Any:
-    return shapes / np.sqrt(np.einsum("im,ij,jm->m", shapes, mass, shapes))
+    static /= np.sqrt(np.einsum("im,ij,jm->m", static, mass, static))
+    basis = np.linalg.qr(np.concatenate([static, natural], axis=1))[0]
+    squares, mixed = natural_modes(basis.T @ elastic @ basis, basis.T @ mass @ basis)
+    return squares[:count], basis @ mixed[:, :count]
 
 
 def attached_inputs(club: Club, shaft: Shaft) -> Callable[[Any, Any], dict[str, Any]]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from clubface import units
 from clubface.errors import InputError, Wording
+from clubface.support.checks import check_names
 
 __all__ = ["GolferBody", "Segment"]
 
@@ -113,10 +114,7 @@ class GolferBody:
 
     def replace(self, **changes: Any) -> GolferBody:
         """Return a copy with fields changed."""
-        known = [each.name for each in fields(self)]
-        for name in changes:
-            if name not in known:
-                raise InputError("field of a golfer", name, f"one of {', '.join(known)}")
+        check_names("field of a golfer", changes, [each.name for each in fields(self)])
         return replace(self, **changes)
 
     @classmethod

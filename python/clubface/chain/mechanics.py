@@ -13,7 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from clubface.chain.flexible import FlexibleShaft, links_of
+from clubface.chain.flexible import FlexibleShaft, combined, links_of
 from clubface.chain.golfer import GolferBody
 from clubface.equipment.clubs import Club
 from clubface.equipment.shafts import Shaft
@@ -87,32 +87,17 @@ def mechanism_of(
     links = flexible.turn.shape[1]
     pieces = links_of(shaft, hands, links)
     down = -np.array(shaft.axis)
-    onto = np.outer(down, down)
-
-    def slender(mass: float, cg: float, inertia: Any) -> tuple[float, Any, Any]:
-        return mass, cg * down, inertia[0] * (np.eye(3) - onto) + inertia[1] * onto
-
     head = (shaft.length - hands) * down - np.array(shaft.hosel) - np.array(club.cg)
-    grip = slender(pieces.grip_mass, pieces.grip_cg, pieces.grip_inertia)
-    *others, last = (slender(*each) for each in zip(pieces.mass, pieces.cg, pieces.inertia, strict=True))
+    *others, last = pieces.bodies
     *segments, hand = ((each.mass, each.cg, each.inertia) for each in golfer.segments)
-    bodies = [*segments, _combine(hand, grip), *others, _combine(last, (club.mass, head, np.array(club.inertia)))]
+    bodies = [
+        *segments, combined(hand, pieces.grip), *others, combined(last, (club.mass, head, np.array(club.inertia))),
+    ]  # fmt: skip
     mass, cg, inertia = (np.array(each) for each in zip(*bodies, strict=True))
     names = (*(each.name for each in golfer.segments), *(f"shaft{link}" for link in range(links - 1)), "head")
     joint = np.concatenate([[each.joint for each in golfer.segments], np.outer(pieces.joint, down)])
     axis = np.array([each.axis for each in golfer.segments])
     return Mechanism(names, axis, flexible.turn.transpose(1, 2, 0), joint, mass, cg, inertia, head, damping)
-
-
-def _combine(one: Any, other: Any) -> tuple[float, Any, Any]:
-    """Combine mass, CG and inertia of two bodies."""
-    mass = one[0] + other[0]
-    cg = (one[0] * one[1] + other[0] * other[1]) / mass
-    inertia = np.zeros((3, 3))
-    for own, place, about in (one, other):
-        away = place - cg
-        inertia = inertia + about + own * (away @ away * np.eye(3) - np.outer(away, away))
-    return mass, cg, inertia
 
 
 LEVI_CIVITA = np.array([[np.cross(one, other) for other in np.eye(3)] for one in np.eye(3)]).transpose(2, 0, 1)

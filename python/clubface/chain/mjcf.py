@@ -8,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from clubface.chain.flexible import held_length, links_of
+from clubface.chain.flexible import Body, held_length, links_of
 from clubface.chain.golfer import GolferBody
 from clubface.chain.mechanics import GRAVITY
 from clubface.equipment.clubs import Club
@@ -20,6 +20,8 @@ __all__ = ["mjcf"]
 ARMATURE = 1e-6
 """Armature of each shaft joint [kg m2]: slows the torsional vibration of short links enough for explicit steps, and
 changes the inertia of the head by at most 1e-4."""
+PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+"""Rows and columns of the elements of an inertia, in MuJoCo's order."""
 
 
 def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping: float, links: int) -> str:
@@ -29,7 +31,6 @@ def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping:
     """
     pieces = links_of(shaft, hands, max(links, 1))
     down = -np.array(shaft.axis)
-    onto = np.outer(down, down)
     length = held_length(shaft, hands)
     head = length * down - np.array(shaft.hosel) - np.array(club.cg)
     # Damping of short links is too stiff for explicit steps; without damping, fourth-order steps are more accurate.
@@ -43,26 +44,21 @@ def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping:
     origin = np.zeros(3)
     depth = 0
 
-    def open_body(name: str, place: Any, *content: str) -> None:
+    def open_body(name: str, place: Any, body: Body, *joints: str) -> None:
         nonlocal origin, depth
         lines.append(f'{"  " * (depth + 2)}<body name={quoteattr(name)} pos="{_numbers(place - origin)}">')
-        lines.extend("  " * (depth + 3) + each for each in content)
+        mass, cg, inertia = body
+        inertial = (
+            f'<inertial mass="{float(mass)!r}" pos="{_numbers(cg - place)}"'
+            f' fullinertia="{_numbers(inertia[i][j] for i, j in PLACES)}"/>'
+        )
+        lines.extend("  " * (depth + 3) + each for each in (*joints, *([inertial] if mass > 0.0 else [])))
         origin, depth = place, depth + 1
 
-    def inertial(mass: float, cg: Any, inertia: Any) -> str:
-        return _inertial(mass, cg - origin, inertia)
-
-    def slender(mass: float, cg: float, inertia: Any) -> str:
-        return inertial(mass, cg * down, inertia[0] * (np.eye(3) - onto) + inertia[1] * onto)
-
-    for segment in golfer.segments:
-        open_body(
-            segment.name, segment.joint, f'<joint name={quoteattr(segment.name)} axis="{_numbers(segment.axis)}"/>'
-        )
-        if segment.mass > 0.0:
-            lines.append("  " * (depth + 2) + inertial(segment.mass, segment.cg, segment.inertia))
-    open_body("grip", np.zeros(3))
-    lines.append("  " * (depth + 2) + slender(pieces.grip_mass, pieces.grip_cg, pieces.grip_inertia))
+    for each in golfer.segments:
+        joint = f'<joint name={quoteattr(each.name)} axis="{_numbers(each.axis)}"/>'
+        open_body(each.name, each.joint, (each.mass, each.cg, each.inertia), joint)
+    open_body("grip", np.zeros(3), pieces.grip)
     at = length - pieces.joint
     bending, torsion = (
         np.interp(at, shaft.position, each) * max(links, 1) / length
@@ -76,10 +72,8 @@ def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping:
             f' armature="{ARMATURE}"/>'
             for axis, stiffness in ((axis, float(stiffness)) for axis, stiffness in springs)
         ]
-        open_body(f"shaft{link}", place * down, *(joints if links else ()))
-        lines.append("  " * (depth + 2) + slender(pieces.mass[link], pieces.cg[link], pieces.inertia[link]))
-    open_body("head", head)
-    lines.append("  " * (depth + 2) + inertial(club.mass, head, np.array(club.inertia)))
+        open_body(f"shaft{link}", place * down, pieces.bodies[link], *(joints if links else ()))
+    open_body("head", head, (club.mass, head, np.array(club.inertia)))
     lines.extend("  " * (each + 2) + "</body>" for each in reversed(range(depth)))
     lines += ["  </worldbody>", "</mujoco>", ""]
     return "\n".join(lines)
@@ -87,9 +81,3 @@ def mjcf(golfer: GolferBody, club: Club, shaft: Shaft, *, hands: float, damping:
 
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(repr(float(each)) for each in values)
-
-
-def _inertial(mass: float, cg: Any, inertia: Any) -> str:
-    places = (0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)
-    full = _numbers(inertia[i][j] for i, j in places)
-    return f'<inertial mass="{float(mass)!r}" pos="{_numbers(cg)}" fullinertia="{full}"/>'

@@ -242,9 +242,8 @@ class Swing:
         """
         if links is None:
             links = self.links if self.mechanism.size > self.mechanism.joints else 0
-        return mjcf(
-            self.golfer, self.club, self.shaft, hands=self.hands, damping=self.mechanism.damping, links=links
-        )  # fmt: skip
+        damping = self.mechanism.damping
+        return mjcf(self.golfer, self.club, self.shaft, hands=self.hands, damping=damping, links=links)
 
     def torques(self, time: ArrayLike, angles: ArrayLike, speeds: ArrayLike, **given: ArrayLike) -> Array:
         """Return the torques of generators and stops [N m] at time [s], joint angles [rad] and speeds [rad/s]."""
@@ -256,15 +255,12 @@ class Swing:
 
     def energy(self, coordinates: ArrayLike, rates: ArrayLike, **given: ArrayLike) -> tuple[Array, Array]:
         """Return kinetic energy, and potential energy of gravity and shaft relative to the reference pose [J]."""
-        stiffness = self._stiffness(self.values(**given))
-        return kinetic_energy(self.mechanism, coordinates, rates), potential_energy(
-            self.mechanism, coordinates, stiffness
-        )
+        potential = potential_energy(self.mechanism, coordinates, self._stiffness(self.values(**given)))
+        return kinetic_energy(self.mechanism, coordinates, rates), potential
 
     def _stiffness(self, values: dict[str, Any]) -> Any:
-        return jnp.einsum("s,sij->ij", values["bending_stiffness"], self.flexible.bending) + jnp.einsum(
-            "s,sij->ij", values["torsional_stiffness"], self.flexible.torsion
-        )
+        bending = jnp.einsum("s,sij->ij", values["bending_stiffness"], self.flexible.bending)
+        return bending + jnp.einsum("s,sij->ij", values["torsional_stiffness"], self.flexible.torsion)
 
     def _start(self, values: dict[str, Any], stiffness: Any) -> _State:
         """Return the state of rest at the top, with the shaft in equilibrium under gravity."""
