@@ -168,10 +168,8 @@ def striker() -> Ball:
 
 def _crossing(time: Any, share: Any, level: float) -> float:
     """Return the time at which ``share`` first exceeds ``level``, by linear interpolation."""
-    after = int(np.argmax(share > level))
-    before = after - 1
-    part = (level - share[before]) / (share[after] - share[before])
-    return float(time[before] + part * (time[after] - time[before]))
+    after = int(np.argmax(share > level)) + 1
+    return float(np.interp(level, share[after - 2 : after], time[after - 2 : after]))
 
 
 COLUMNS = ("toe_mm", "high_mm", "restitution", "characteristic_time_us", "stopped")

@@ -164,10 +164,7 @@ def strike(
 def face_of(head: MeshedHead | None, club: Club, inputs: list[float]) -> dict[str, Any]:
     """Return the head that strikes the ball, in the core's format: a mesh, or else the rigid head of the inputs.
 
-    Raises
-    ------
-    InputError
-        An input contradicts the mesh.
+    Raises InputError if an input contradicts the mesh.
     """
     if head is None:
         return {"head": {"inputs": inputs}}

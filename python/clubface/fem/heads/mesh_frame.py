@@ -94,25 +94,11 @@ def check_frame(
     mesh: Mesh, nodes: NDArray[Any], quads: NDArray[Any], *, drawn: NDArray[Any], loft: float, bulge: float,
     roll: float, wall: float, centre: str, parts: Mapping[str, NDArray[Any]],
 ) -> None:  # fmt: skip
-    """Raise InputError if a mesh disagrees with its head's file.
+    """Raise InputError if loft, bulge, roll, face centre or axes of a mesh differ from those of its head's file.
 
-    Parameters
-    ----------
-    mesh
-        The mesh; receives notes on oddities.
-    nodes, quads, drawn
-        As for :func:`measured_face`.
-    loft, bulge, roll, centre
-        Values in the head's file [rad, m]; the face centre as written there.
-    wall
-        Wall thickness of the face [m].
-    parts
-        Node positions of every group and added mass, by name.
-
-    Raises
-    ------
-    InputError
-        Loft, bulge, roll or face centre differ, or the axes are different ones; the message gives both values.
+    ``loft``, ``bulge`` and ``roll`` are those of the file [rad, m], ``centre`` the face centre as written there,
+    ``wall`` the wall thickness of the face [m], and ``parts`` the node positions of every group and added mass, by
+    name. ``nodes``, ``quads`` and ``drawn`` are as for :func:`measured_face`. The mesh receives notes on oddities.
     """
     face, file = measured_face(nodes, quads, drawn), os.path.basename(mesh.path)
     expected = np.array([math.cos(loft), math.sin(loft), 0.0])

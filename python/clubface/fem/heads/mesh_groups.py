@@ -91,12 +91,7 @@ def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
     """Return the index in ``groups`` of each element's group.
 
     A group takes the set with its name, or the sets that it lists; other sets are ignored. Further decisions are
-    recorded as notes.
-
-    Raises
-    ------
-    FileError
-        An element belongs to no group or to two, or a group has no elements.
+    recorded as notes. Raises FileError if an element belongs to no group or to two, or a group has no elements.
     """
     if not len(mesh.corners):
         raise mesh.error("this file contains no surface or solid elements")
@@ -118,8 +113,7 @@ def assign(mesh: Mesh, groups: Sequence[Group]) -> NDArray[Any]:
             taken = rows[(places[rows] >= 0) & (places[rows] != place)]
             if len(taken):
                 other, element = groups[int(places[taken[0]])].name, mesh.ids[taken[0]]
-                message = f"element {element} belongs to two groups, {other!r} and {group.name!r}"
-                raise mesh.error(message)
+                raise mesh.error(f"element {element} belongs to two groups, {other!r} and {group.name!r}")
             places[rows] = place
     if (places < 0).any():
         _raise_unassigned(mesh, groups, places)
@@ -188,10 +182,7 @@ def _list_sets(mesh: Mesh) -> str:
 def names_solids(mesh: Mesh, groups: Sequence[Group]) -> bool:
     """Return whether the groups refer to the solid elements of a mesh; if not, note which solids are left out.
 
-    Raises
-    ------
-    InputError
-        A group of solid elements is given a thickness.
+    Raises InputError if a group of solid elements is given a thickness.
     """
     if (solids := mesh.solids) is None or not len(solids.ids):
         return False
@@ -248,11 +239,7 @@ def walls(mesh: Mesh, groups: Sequence[Group], of_group: NDArray[Any], unit: str
 
     Values of a group take precedence. Otherwise they come from the cards of the mesh file, where an element's own
     thickness takes precedence over its section's. Differences, and groups without a metal in either file, are noted.
-
-    Raises
-    ------
-    InputError
-        A thickness is missing, or a card's values fit no metal in any system of units.
+    Raises InputError if a thickness is missing, or a card's values fit no metal in any system of units.
     """
     size = units.parse(f"1 {unit}", "length")
     card = np.full(len(mesh.corners), np.nan)
@@ -351,8 +338,7 @@ def _in_si(mesh: Mesh, wall: Wall, unit: str) -> dict[str, float]:
         f"{what} {value:g}" for what, value in (("E", wall.youngs), ("density", wall.density)) if value is not None
     )
     known = "; ".join(system.name for system in (*SYSTEMS.get(unit, ()), SI))
-    message = f"{wall.source}: {values} fit no metal in any usual system of units ({known}); correct the card"
-    raise mesh.error(message)
+    raise mesh.error(f"{wall.source}: {values} fit no metal in any usual system of units ({known}); correct the card")
 
 
 def point_masses(mesh: Mesh, unit: str) -> list[tuple[float, float, float, float]]:

@@ -50,12 +50,7 @@ def repaired(mesh: Mesh, group: NDArray[Any], face: NDArray[Any]) -> Shells:
     """Return the shells of a mesh as connected, convex quadrilaterals with outward normals, as far as possible.
 
     ``group`` is the index of each element's group, and ``face`` says which groups belong to the face. Changes are
-    noted.
-
-    Raises
-    ------
-    FileError
-        An element repeats a node, has no area, or shares an edge with two others.
+    noted. Raises FileError if an element repeats a node, has no area, or shares an edge with two others.
     """
     shells = Shells(mesh, mesh.points, mesh.node_ids, mesh.corners.copy(), mesh.ids, group, mesh.thickness)
     _take_triangles(shells)
@@ -77,8 +72,7 @@ def _take_triangles(shells: Shells) -> None:
     if doubled.any():
         row = int(np.argmax(doubled))
         nodes = [int(shells.node_ids[each]) for each in corners[row] if each >= 0]
-        message = f"element {shells.ids[row]} is inverted or degenerate: it lists a node twice, {nodes}"
-        raise shells.mesh.error(message)
+        raise shells.mesh.error(f"element {shells.ids[row]} is inverted or degenerate: it lists a node twice, {nodes}")
 
 
 def _merge_nodes(shells: Shells) -> None:
@@ -93,10 +87,8 @@ def _merge_nodes(shells: Shells) -> None:
         corners[same, place:3] = corners[same, place + 1 :]
         corners[same, 3] = -1
         quads &= ~same
-    lost = (
-        (corners[:, 0] == corners[:, 1]) | (corners[:, 1] == corners[:, 2]) | (corners[:, 2] == corners[:, 0])
-        | (quads & ((corners[:, 0] == corners[:, 2]) | (corners[:, 1] == corners[:, 3])))
-    )  # fmt: skip
+    a, b, c, d = corners.T
+    lost = (a == b) | (b == c) | (c == a) | (quads & (b == d))
     shells.corners = corners
     text = f"{count} nodes within {near:.2g} of another (in the file's unit) are merged"
     if lost.any():
@@ -174,10 +166,9 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
         row = int(np.argmax(count > 2))
         three = ", ".join(str(each) for each in shells.ids[element[edge == row]][:4])
         ends = " and ".join(str(each) for each in shells.node_ids[keys[row]])
-        message = (
+        raise shells.mesh.error(
             f"elements {three} share the edge between nodes {ends}; T-joints of walls, such as ribs, are not supported"
         )
-        raise shells.mesh.error(message)
     order = np.argsort(edge, kind="stable")
     pairs = order[np.repeat(count == 2, count)].reshape(-1, 2)
     same = (nodes[pairs[:, 0]] == nodes[pairs[:, 1]]).all(axis=1)
@@ -218,12 +209,11 @@ def _check_pieces(shells: Shells, piece: NDArray[Any]) -> None:
     one, other = (shells.points[np.unique(shells.corners[rows][shells.corners[rows] >= 0])] for rows in (least, ~least))
     distances = np.concatenate([np.linalg.norm(other - place, axis=1) for place in one[:SAMPLE]])
     away = float(distances[distances > 0.0].min())  # pieces that touch only at a node remain separate
-    message = (
+    raise shells.mesh.error(
         f"a mesh must be in one piece, but this one is in {len(sizes)} that share no edge, of {some} elements; nodes of"
         f" the smallest are {away:.3g} from the others (in the file's unit): merge the nodes at seams, and mesh each"
         " wall once, on its middle surface"
     )
-    raise shells.mesh.error(message)
 
 
 def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any]) -> None:
@@ -301,11 +291,10 @@ def _cut_bad_quadrilaterals(shells: Shells) -> None:
     if flat.any():
         row = int(np.argmax(flat))
         nodes = ", ".join(str(shells.node_ids[each]) for each in corners[row] if each >= 0)
-        message = (
+        raise shells.mesh.error(
             f"element {shells.ids[row]} is inverted or degenerate: its nodes {nodes} must go around it in order and"
             " enclose an area; correct or refine the mesh there"
         )
-        raise shells.mesh.error(message)
     cut = quads[bad]
     if not len(cut):
         return

@@ -75,7 +75,7 @@ class MeshedHead(ABC):
     @property
     def size(self) -> tuple[float, float, float]:
         """Extent of the soled head [m]: face to back, sole to crown, heel to toe."""
-        depth, height, length = (self.places.max(axis=0) - self.places.min(axis=0)).tolist()
+        depth, height, length = np.ptp(self.places, axis=0).tolist()
         return depth, height, length
 
     @property
@@ -88,7 +88,7 @@ class MeshedHead(ABC):
         """The equivalent rigid club, with the mesh's mass, CG and inertia, for any model."""
         weighed = in_thread(core.fem_head_properties, self.values())
         places = self.face_places()
-        size = places.max(axis=0) - places.min(axis=0)
+        size = np.ptp(places, axis=0)
         tensor = np.asarray(weighed["inertia"], float)
         inertia: dict[str, Any] = {f"i{'xyz'[i]}{'xyz'[j]}": float(tensor[i, j]) for i in range(3) for j in range(i, 3)}
         cg: dict[str, Any] = {f"cg_{axis}": -float(value) for axis, value in zip("xyz", weighed["centre"], strict=True)}

@@ -62,12 +62,8 @@ def solids_of_mesh(
 ) -> Solids:
     """Return the solid elements of a mesh, oriented, with closed seams except at bonds.
 
-    ``of_group`` is the group index of each element; ``names`` and ``metals`` are those of the groups.
-
-    Raises
-    ------
-    FileError
-        The mesh has wedges or pyramids, a degenerate element, or tetrahedra and hexahedra that share a side.
+    ``of_group`` is the group index of each element; ``names`` and ``metals`` are those of the groups. Raises FileError
+    for wedges or pyramids, a degenerate element, or tetrahedra and hexahedra that share a side.
     """
     counts = (mesh.corners >= 0).sum(axis=1)
     _check_kinds(mesh, counts)
@@ -103,10 +99,9 @@ def _check_kinds(mesh: Mesh, counts: NDArray[Any]) -> None:
     if others:
         listed = " and ".join(f"{count} {kind}" for kind, count in others.items())
         first = int(mesh.ids[np.flatnonzero((counts != 4) & (counts != 8))[0]])
-        message = (
+        raise mesh.error(
             f"{listed}, such as element {first}, are not supported; mesh a solid head with tetrahedra or hexahedra"
         )
-        raise mesh.error(message)
 
 
 def _merge_nodes(mesh: Mesh, corners: NDArray[Any], kinds: NDArray[Any]) -> None:
@@ -171,11 +166,10 @@ def _check_shared(mesh: Mesh, tetrahedra: NDArray[Any], ids: NDArray[Any], hexah
     of_tetrahedra = np.sort(tetrahedra[:, [list(side[:3]) for side in TETRAHEDRON_SIDES]], axis=2)
     for element, own in zip(ids.tolist(), of_tetrahedra.tolist(), strict=True):
         if any(tuple(side) in of_hexahedra for side in own):
-            message = (
+            raise mesh.error(
                 f"element {element}, a tetrahedron, shares a side with a hexahedron; mesh both parts with one kind, or"
                 " give each part its own nodes and join them under [[bonds]]"
             )
-            raise mesh.error(message)
 
 
 def facing_sides(nodes: NDArray[Any], sides: NDArray[Any], normal: NDArray[Any], cosine: float) -> NDArray[Any]:

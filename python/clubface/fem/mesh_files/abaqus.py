@@ -6,7 +6,10 @@ import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface.errors import shortened
 from clubface.fem.mesh_files.mesh import Mesh, MeshBuilder, Wall, read_text
@@ -239,16 +242,13 @@ class AbaqusReader(MeshBuilder):
     def _motion(self, rows: list[tuple[int, list[str]]]) -> Callable[[Sequence[float]], Sequence[float]]:
         """Return an instance's motion: a translation, then a rotation about the line between two points."""
         numbers = [[self.value(line, cell or "0", "number") for cell in cells] for line, cells in rows[:2]]
-        shift = [*numbers[0], 0.0, 0.0, 0.0][:3]
-        turn = numbers[1] if len(numbers) > 1 else []
-        if turn and len(turn) != 7:
+        shift = np.array([*numbers[0], 0.0, 0.0, 0.0][:3])
+        if len(numbers) == 1:
+            return lambda place: (place + shift).tolist()
+        if len(numbers[1]) != 7:
             raise self.error(rows[1][0], "the rotation of an instance needs two points and an angle")
-
-        def moved(place: Sequence[float]) -> Sequence[float]:
-            place = [a + b for a, b in zip(place, shift, strict=True)]
-            return place if not turn else _rotate(place, turn[:3], turn[3:6], math.radians(turn[6]))
-
-        return moved
+        start, end, (angle,) = np.split(np.array(numbers[1]), [3, 6])
+        return lambda place: _rotate(place + shift, start, end, math.radians(angle))
 
 
 def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]) -> list[int]:
@@ -262,14 +262,10 @@ def _members(name: str, part: _Part, names: dict[str, str], seen: frozenset[str]
     return numbers
 
 
-def _rotate(place: Sequence[float], start: Sequence[float], end: Sequence[float], angle: float) -> list[float]:
+def _rotate(place: NDArray[Any], start: NDArray[Any], end: NDArray[Any], angle: float) -> list[float]:
     """Rotate a point about the line from one point to another by an angle [rad] (Rodrigues)."""
-    length = math.dist(start, end)
-    if length == 0.0:
-        return list(place)
-    axis = [(b - a) / length for a, b in zip(start, end, strict=True)]
-    arm = [p - a for p, a in zip(place, start, strict=True)]
-    across = [axis[i - 2] * arm[i - 1] - axis[i - 1] * arm[i - 2] for i in range(3)]
-    along = sum(a * b for a, b in zip(axis, arm, strict=True))
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return [start[i] + arm[i] * cosine + across[i] * sine + axis[i] * along * (1.0 - cosine) for i in range(3)]
+    if (length := math.dist(start, end)) == 0.0:
+        return place.tolist()
+    axis, arm = (end - start) / length, place - start
+    along = (axis @ arm) * axis
+    return (start + along + (arm - along) * math.cos(angle) + np.cross(axis, arm) * math.sin(angle)).tolist()

@@ -115,27 +115,15 @@ class _Rows:
 
 
 class MeshBuilder:
-    """Collects the nodes and elements of a file in any order, and checks each when added.
-
-    Attributes
-    ----------
-    path
-        The file.
-    aliases, walls, notes
-        As in :class:`Mesh`.
-    left_out
-        Number of elements left out, by unsupported kind, such as bars.
-    offsets
-        Number of sections or elements with an offset from their nodes.
-    """
+    """Collects the nodes and elements of a file in any order, and checks each when added."""
 
     def __init__(self, path: str) -> None:
         self.path = path
-        self.aliases: dict[str, str] = {}
+        self.aliases: dict[str, str] = {}  # as in :class:`Mesh`, like walls and notes
         self.walls: dict[str, Wall] = {}
         self.notes: list[str] = []
-        self.left_out: Counter[str] = Counter()
-        self.offsets: Counter[str] = Counter()
+        self.left_out: Counter[str] = Counter()  # elements left out, by unsupported kind, such as bars
+        self.offsets: Counter[str] = Counter()  # sections or elements with an offset from their nodes
         self._row_of: dict[Hashable, int] = {}
         self._places: list[tuple[float, float, float]] = []
         self._numbers: list[int] = []
@@ -154,10 +142,10 @@ class MeshBuilder:
         """Parse the number of a node, element and so on."""
         text = text.strip()
         if not (text.isascii() and text.isdigit() and len(text) < 11 and int(text) <= LARGEST_NUMBER):
-            message = (
-                f"{shortened(text, 40)!r} is not a valid number of {what}; write a whole number up to {LARGEST_NUMBER}"
+            raise self.error(
+                line,
+                f"{shortened(text, 40)!r} is not a valid number of {what}; write a whole number up to {LARGEST_NUMBER}",
             )
-            raise self.error(line, message)
         return int(text)
 
     def value(self, line: int | None, text: str, what: str) -> float:
@@ -222,13 +210,7 @@ class MeshBuilder:
         self._point_masses.append((line, node, offset, mass))
 
     def mesh(self) -> Mesh:
-        """Return the mesh of everything added.
-
-        Raises
-        ------
-        FileError
-            An element has a node that does not exist.
-        """
+        """Return the mesh of everything added; raise FileError if an element has a node that does not exist."""
         surfaces, solids = self._arrays(self._surface_rows, 4), self._arrays(self._solid_rows, 8)
         masses = []
         for line, key, offset, mass in self._point_masses:

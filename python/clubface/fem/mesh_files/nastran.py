@@ -80,10 +80,10 @@ class NastranReader(MeshBuilder):
             elif card.name in ("INCLUDE", "IMPORT") or card.name.startswith("INCLUDE"):
                 raise self.includes(card.line)
             elif card.name == "GRDSET" and card[2] not in ("", "0"):
-                message = (
-                    f"nodes are in coordinate system {shortened(card[2], 20)}; write all nodes in the basic system"
+                raise self.error(
+                    card.line,
+                    f"nodes are in coordinate system {shortened(card[2], 20)}; write all nodes in the basic system",
                 )
-                raise self.error(card.line, message)
         self._name_components()
         self.aliases |= {name: str(number) for number, name in self.names.items()}
         for number, (kind, metal, thickness) in self.properties.items():

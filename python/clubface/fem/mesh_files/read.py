@@ -136,13 +136,7 @@ LOOKED_AT = 20_000
 
 
 def read_mesh(path: str) -> Mesh:
-    """Read the elements of a mesh file.
-
-    Raises
-    ------
-    FileError
-        The file does not exist, cannot be read, or is damaged; the message names the line in a text file.
-    """
+    """Read the elements of a mesh file; errors name the line in a text file."""
     if not os.path.exists(path):
         raise FileError(path, None, "there is no such file")
     ending = Path(path).suffix.lower()
