@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.capture.geometry import Known, usual_place
+from clubface.capture.geometry import Known, off_face, usual_place
 from clubface.capture.impact_detection import DetectedImpact, detect_impact, last_before
 from clubface.capture.markers import MarkerMap
 from clubface.capture.recording import Recording
@@ -30,7 +30,6 @@ from clubface.capture.rotations import (
     degrees_of_freedom,
     delivered,
     exponential,
-    face_axes,
     fit_poses,
     pose_information,
     skew,
@@ -39,7 +38,6 @@ from clubface.capture.rotations import (
 from clubface.capture.tracking import Track, check_scale, check_seen, track
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club
-from clubface.equipment.face import face_point, nearest
 from clubface.errors import ClubfaceError, FileError
 from clubface.results.notes import Note, note
 from clubface.support.checks import without_warnings
@@ -125,13 +123,10 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
 
 def _face_points(mapping: MarkerMap, club: Club) -> Array:
     """Return the positions of the face points from the face centre, in club axes [m]."""
-    result = []
     for name, point in mapping.face.items():
         if abs(point.toe) > 0.5 * club.face_width or abs(point.high) > 0.5 * club.face_height:
             raise FileError(mapping.path, None, f"[face] {name} lies outside the face of {club.name}")
-        touched = face_point(point.toe, point.high, club.bulge, club.roll)
-        result.append(touched + point.standoff * nearest(touched, club.bulge, club.roll)[1])
-    return np.array(result) @ face_axes(club.loft).T
+    return np.array([off_face(club, *point) for point in mapping.face.values()])
 
 
 def _scatter(turned: Array) -> float:

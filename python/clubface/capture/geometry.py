@@ -15,7 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
-from clubface.capture.rotations import Array
+from clubface.capture.rotations import Array, face_axes
+from clubface.equipment.clubs import Club
+from clubface.equipment.face import face_point, nearest
 from clubface.schema import PhysicalValue, check_values, file_key, quantities
 
 _DEGREE, _MM = units.size("deg"), units.size("mm")
@@ -105,3 +107,9 @@ def usual_place(kind: str, assumed: Assumed) -> tuple[Array, Array]:
     place, deviations = USUAL_PLACE["iron" if kind == "iron" else "wood"]
     spread = np.array(deviations) if assumed.place is None else np.full(3, assumed.place)
     return np.array(place), spread
+
+
+def off_face(club: Club, toe: float, high: float, distance: float) -> Array:
+    """Return the point at a distance in front of a face point [m], from the face centre, in club axes [m]."""
+    touched = face_point(toe, high, club.bulge, club.roll)
+    return face_axes(club.loft) @ (touched + distance * nearest(touched, club.bulge, club.roll)[1])

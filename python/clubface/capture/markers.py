@@ -39,8 +39,8 @@ class FacePoint(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Markers:
-    """Markers and axes of a laboratory.
+class MarkerMap:
+    """Markers and axes of a laboratory, usually read from a file.
 
     Attributes
     ----------
@@ -111,51 +111,48 @@ class Markers:
     def __post_init__(self) -> None:
         if len(self.cluster) < FEWEST:
             raise InputError("cluster", f"{len(self.cluster)} markers", f"at least {FEWEST} markers, not on a line")
-        placed = [name for name, position in self.cluster.items() if position is not None]
         check_choice("by", self.way, WAYS)
-        self._check_way(self.way, placed)
+        self._check_way(self.way)
         if self.face and len(self.face) < FEWEST:
             raise InputError("face", f"{len(self.face)} points", f"at least {FEWEST} points, not on a line")
         if self.ball is not None and self.ball_position is not None:
             raise InputError("ball", Wording("given twice"), "keep either its marker or its position")
         if self.frames is not None and not 0 <= self.frames[0] < self.frames[1]:
-            raise InputError(
-                "frames", list(self.frames), "the first and the last frame of the address, such as [1, 90]"
-            )
-        _check_axes(self.target, self.up)
+            allowed = "the first and the last frame of the address, such as [1, 90]"
+            raise InputError("frames", list(self.frames), allowed)
+        allowed = f"one of {', '.join(AXES)}"
+        if self.up not in AXES:
+            raise InputError("up", self.up, allowed)
+        if isinstance(self.target, str):
+            if self.target not in AXES:
+                raise InputError("target", self.target, f"{allowed}, or a list of two markers")
+            if self.target[1] == self.up[1]:
+                raise InputError("target", self.target, f"perpendicular to the up axis, {self.up}")
 
-    def _check_way(self, way: str, placed: list[str]) -> None:
+    def _check_way(self, way: str) -> None:
         """Raise InputError if the chosen calibration lacks an input, or an input is given that it does not use."""
-        if way == "positions" and len(placed) < len(self.cluster):
-            without = ", ".join(name for name in self.cluster if name not in placed)
-            raise InputError(
-                "cluster",
-                Wording(f"without the position of {without}"),
-                "give the positions of all markers, or of none",
-            )
+        seen = [name for name, position in self.cluster.items() if position is None]
+        if way == "positions" and seen:
+            shown = Wording(f"without the position of {', '.join(seen)}")
+            raise InputError("cluster", shown, "give the positions of all markers, or of none")
         if way == "face" and not self.face:
             raise InputError(
-                "cluster",
-                Wording("not placed on the club"),
+                "cluster", Wording("not placed on the club"),
                 "give one of these: positions of its markers under [cluster]; points of the face under [face]; or,"
                 ' under [calibration], by = "address" (the head at rest behind the ball) or by'
                 ' = "swing" (nothing else needed)',
-            )
-        if way == "face" and placed:
-            raise InputError(
-                "cluster",
-                Wording("placed twice, by its positions and by [face]"),
-                'keep one, or write "seen" for positions',
-            )
+            )  # fmt: skip
+        if way == "face" and len(seen) < len(self.cluster):
+            shown = Wording("placed twice, by its positions and by [face]")
+            raise InputError("cluster", shown, 'keep one, or write "seen" for positions')
         if way != "face" and self.face:
             raise InputError("by", way, 'leave out the table [face], or give by = "face"')
         for name, ways in (("calibration", ("face", "address")), ("frames", ("address",)), ("ground", ("address",))):
             if getattr(self, name) is not None and way not in ways:
                 shown = "file" if name == "calibration" else name
                 meant = " or ".join(f'by = "{each}"' for each in ways)
-                raise InputError(
-                    shown, getattr(self, name), f'leave it out, or give {meant}; by = "{way}" does not use it'
-                )
+                allowed = f'leave it out, or give {meant}; by = "{way}" does not use it'
+                raise InputError(shown, getattr(self, name), allowed)
 
     @property
     def way(self) -> str:
@@ -179,16 +176,25 @@ class Markers:
         """Path of the calibration file, relative to the folder of the mapping file."""
         return None if self.calibration is None else Path(self.path).parent / self.calibration
 
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a mapping file; ``template`` shows its format. Errors name file and line."""
+        return cls._from(Document.read(path))
 
-def _check_axes(target: str | tuple[str, str], up: str) -> None:
-    allowed = f"one of {', '.join(AXES)}"
-    if up not in AXES:
-        raise InputError("up", up, allowed)
-    if isinstance(target, str):
-        if target not in AXES:
-            raise InputError("target", target, f"{allowed}, or a list of two markers")
-        if target[1] == up[1]:
-            raise InputError("target", target, f"perpendicular to the up axis, {up}")
+    @classmethod
+    def from_text(cls, text: str, path: str = "<mapping>") -> Self:
+        """Read the text of a mapping file; ``path`` names it in errors."""
+        return cls._from(Document(text, path))
+
+    @classmethod
+    def _from(cls, document: Document) -> Self:
+        file = decode(MarkerFile, document)
+        with Place(document).errors():
+            return cls(**file.values(), path=document.path)
+
+    def to_toml(self) -> str:
+        """Write the map as TOML, with lengths to 1 nm."""
+        return encode(MarkerFile.from_markers(self))
 
 
 SEEN = "seen"
@@ -281,7 +287,7 @@ class MarkerFile:
     )
 
     @classmethod
-    def from_markers(cls, markers: Markers) -> Self:
+    def from_markers(cls, markers: MarkerMap) -> Self:
         """Return the file contents of a marker map."""
         ball = None
         if markers.ball is not None or markers.ball_position is not None:
@@ -300,7 +306,7 @@ class MarkerFile:
         )  # fmt: skip
 
     def values(self) -> dict[str, Any]:
-        """Return the arguments of :class:`Markers`."""
+        """Return the arguments of :class:`MarkerMap`."""
         calibration, ball, laboratory = self.calibration, self.ball, self.laboratory
         arguments = {
             "club": self.club, "cluster": self.cluster, "face": self.face, "by": calibration.by,
@@ -312,30 +318,6 @@ class MarkerFile:
             return arguments
         return arguments | {"ball": ball.marker, "ball_offset": ball.offset, "ball_position": ball.position,
                         "ball_accuracy": ball.accuracy}  # fmt: skip
-
-
-class MarkerMap(Markers):
-    """A marker map, read from a file or text; its attributes are those of :class:`Markers`."""
-
-    @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Self:
-        """Read a mapping file; ``template`` shows its format. Errors name file and line."""
-        return cls._from(Document.read(path))
-
-    @classmethod
-    def from_text(cls, text: str, path: str = "<mapping>") -> Self:
-        """Read the text of a mapping file; ``path`` names it in errors."""
-        return cls._from(Document(text, path))
-
-    @classmethod
-    def _from(cls, document: Document) -> Self:
-        file = decode(MarkerFile, document)
-        with Place(document).errors():
-            return cls(**file.values(), path=document.path)
-
-    def to_toml(self) -> str:
-        """Write the map as TOML, with lengths to 1 nm."""
-        return encode(MarkerFile.from_markers(self))
 
 
 def marker_map(name: str | os.PathLike[str] | MarkerMap) -> MarkerMap:

@@ -8,15 +8,14 @@ import numpy as np
 
 from clubface.capture.ball_flight import RestingBall, resting_places
 from clubface.capture.calibration import Registration
-from clubface.capture.geometry import Known
+from clubface.capture.geometry import Known, off_face
 from clubface.capture.impact_detection import FEWEST, DetectedImpact, End, detect_impact, impact_at_end, last_before
 from clubface.capture.impact_frame import Approach, Extrapolation, find_impact, follow, follow_until
 from clubface.capture.recording import Recording
 from clubface.capture.reduction import Evidence, series
-from clubface.capture.rotations import Array, exponential, face_axes, mirror, visible
+from clubface.capture.rotations import Array, exponential, mirror, visible
 from clubface.capture.setup import Setup
 from clubface.capture.tracking import Track
-from clubface.equipment.face import face_point, nearest
 from clubface.errors import FileError
 from clubface.results.notes import Note, note
 
@@ -149,9 +148,7 @@ def _ball_at_face_centre(approach: Approach, setup: Setup) -> Array:
     """Return the centre of a ball that touches the face centre at the instant of impact [m]."""
     head, values = setup.club, series(approach.path.position, np.zeros(()))
     attitude = exponential(values[3:]) @ approach.attitude
-    touched = face_point(0.0, 0.0, head.bulge, head.roll)
-    normal = nearest(touched, head.bulge, head.roll)[1]
-    return values[:3] + attitude @ (np.array(head.cg) + face_axes(head.loft) @ (touched + setup.ball.radius * normal))
+    return values[:3] + attitude @ (np.array(head.cg) + off_face(head, 0.0, 0.0, setup.ball.radius))
 
 
 def _impact_notes(detected: DetectedImpact) -> tuple[Note, ...]:

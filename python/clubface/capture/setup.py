@@ -58,6 +58,11 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
             raise FileError(recording.path, None, f"{names} define no target line; {apart}")
         target = target - (target @ up) * up
         target = target / np.linalg.norm(target)
+    return axes(target, up)
+
+
+def axes(target: Array, up: Array) -> Array:
+    """Return the rotation to axes towards the target, up, and to the right, shape (3, 3)."""
     return np.stack([target, up, np.cross(target, up)])
 
 

@@ -211,13 +211,13 @@ class Tally:
 
     def _part(self, models: list[str], name: str, *, counted: bool) -> str:
         """Return the part of the warning on one quantity, for models with the same range."""
-        words, unit = QUANTITIES[name]
+        quantity = QUANTITIES[name]
         ends, _, value = self._outside[models[0], name]
         # The same shots computed by several models, else different shots by each.
         numbers = {(self._outside[each, name][1], self._shots[each]) for each in models}
         count, shots = numbers.pop() if len(numbers) == 1 else map(sum, zip(*numbers, strict=True))
-        how = f"{units.show(value, unit, 4)} " if shots == 1 else f"in {count} of {shots} shots "
-        return f"{words} {how if counted else ''}(valid: {ends})"
+        how = f"{units.show(value, quantity.reading, 4)} " if shots == 1 else f"in {count} of {shots} shots "
+        return f"{quantity.label} {how if counted else ''}(valid: {ends})"
 
 
 def warn_if_outside(launches: Iterable[Launch]) -> None:

@@ -9,19 +9,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from clubface.capture.geometry import Assumed, usual_place
+from clubface.capture.geometry import Assumed, off_face, usual_place
 from clubface.capture.markers import FacePoint, MarkerMap, Point
 from clubface.capture.recording import Recording, write_c3d
-from clubface.capture.rotations import Array, delivered, exponential, face_axes, logarithm, mirror
-from clubface.capture.setup import axis
+from clubface.capture.rotations import Array, delivered, exponential, logarithm, mirror
+from clubface.capture.setup import axes, axis
 from clubface.capture.synthetic.synthetic_swing import LAUNCH, SyntheticSwing, club_of_hand, random_swing
 from clubface.equipment.clubs import Club
-from clubface.equipment.face import face_point, nearest
 from clubface.errors import InputError
 from clubface.shots.recorded import RecordedShots
 from clubface.simulation.inputs import OF_CLUB
@@ -84,7 +83,7 @@ class Cameras:
     gap: float = 4.0
     target: str = "+y"
     up: str = "+z"
-    origin: Point = field(default=(0.35, -0.2, 0.01))
+    origin: Point = (0.35, -0.2, 0.01)
     calibration_frames: int = 200
 
     def __post_init__(self) -> None:
@@ -121,12 +120,7 @@ class Cameras:
         """Record the head held still at address, with markers on its face."""
         random = np.random.default_rng(seed)
         kind = kind_of(club)
-        face = face_axes(club.loft)
-        points = [
-            face @ (touched + point.standoff * nearest(touched, club.bulge, club.roll)[1])
-            for point in FACE[kind].values()
-            for touched in [face_point(point.toe, point.high, club.bulge, club.roll)]
-        ]
+        points = [off_face(club, *point) for point in FACE[kind].values()]
         local = np.array([*CLUSTERS[kind].values(), *points])
         held = local @ delivered(club.loft + 0.03, -0.2, 0.05, club.loft).T + np.array([-0.02, 0.04, 0.01])
         still = np.broadcast_to(held * mirror(club.hand), (self.calibration_frames, *held.shape))
@@ -135,8 +129,7 @@ class Cameras:
 
     def measured(self, world: Array, random: np.random.Generator) -> Array:
         """Return world positions as measured in the laboratory."""
-        target, up = axis(self.target), axis(self.up)
-        turn = np.stack([target, up, np.cross(target, up)])
+        turn = axes(axis(self.target), axis(self.up))
         return world @ turn + np.array(self.origin) + self.noise * random.normal(size=world.shape)
 
     def _gaps(self, random: np.random.Generator, frames: int, markers: int) -> Array:
@@ -191,11 +184,7 @@ class BareSwing:
 
 
 def record_bare(
-    swing: SyntheticSwing,
-    cameras: Cameras,
-    seed: int | np.random.Generator,
-    *,
-    assumed: Assumed | None = None,
+    swing: SyntheticSwing, cameras: Cameras, seed: int | np.random.Generator, *, assumed: Assumed | None = None
 ) -> BareSwing:
     """Record a swing including its address with three markers on the head.
 
@@ -212,15 +201,13 @@ def record_bare(
     """
     random, spread = np.random.default_rng(seed), assumed or Assumed()
     cluster = _cluster(swing.club, random, spread)
-    loft, face, lie = np.array([swing.club.loft, 0.0, 0.0]) + random.normal(size=3) * [
-        spread.loft, spread.face, spread.lie,
-    ]  # fmt: skip
+    held_at = np.array([swing.club.loft, 0.0, 0.0]) + random.normal(size=3) * [spread.loft, spread.face, spread.lie]
     first = -np.ceil(cameras.before * cameras.rate) - random.uniform()
     early = int((REST + BACKSWING) * cameras.rate)
     times = (first - early + np.arange(early + int((cameras.before + cameras.after) * cameras.rate) + 2)) / cameras.rate
     position, attitude = swing.head(times)
     begin = first / cameras.rate
-    cg, held = _address(swing, np.array([loft, face, lie]), random, spread)
+    cg, held = _address(swing, held_at, random, spread)
     part = np.clip((times[:early] - begin) / BACKSWING + 1.0, 0.0, 1.0)
     part = part**3 * (10.0 - 15.0 * part + 6.0 * part**2)
     whole, turned = swing.head(np.array([begin]))
@@ -231,18 +218,14 @@ def record_bare(
     recording = Recording(
         labels=tuple(cluster), positions=cameras.measured(seen, random), rate=cameras.rate, path="<synthetic>"
     )
-    return BareSwing(recording=recording, cluster=cluster, angles=np.array([loft, face, lie]), first=float(times[0]))
+    return BareSwing(recording=recording, cluster=cluster, angles=held_at, first=float(times[0]))
 
 
 def asked_at_random(seed: int | np.random.Generator) -> dict[str, float]:
     """Draw face angle, lie and impact point of a swing [SI], as widely as a reader has to assume."""
-    random, spread = np.random.default_rng(seed), Assumed()
-    deviations = {
-        "face": spread.delivered_face, "lie": spread.delivered_lie, "toe": spread.toe, "high": spread.high,
-    }  # fmt: skip
-    return {
-        name: deviation * float(np.clip(random.normal(), -FARTHEST, FARTHEST)) for name, deviation in deviations.items()
-    }
+    random, wide = np.random.default_rng(seed), Assumed()
+    deviations = {"face": wide.delivered_face, "lie": wide.delivered_lie, "toe": wide.toe, "high": wide.high}
+    return {name: each * float(np.clip(random.normal(), -FARTHEST, FARTHEST)) for name, each in deviations.items()}
 
 
 def bare_map(
@@ -290,24 +273,17 @@ MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
     """Return the marker map that gives the cluster's positions."""
+    cluster = dict(CLUSTERS[kind_of(club)])
     return MarkerMap(
-        cluster=dict(CLUSTERS[kind_of(club)]),
-        accuracy=0.0,
-        ball=BALL,
-        target=cameras.target,
-        up=cameras.up,
-        club=club.name,
-    )
+        cluster=cluster, accuracy=0.0, ball=BALL, target=cameras.target, up=cameras.up, club=club.name
+    )  # fmt: skip
 
 
 def calibration_map(club: Club, cameras: Cameras) -> MarkerMap:
     """Return the marker map that locates the cluster by a calibration file."""
     kind = kind_of(club)
-    return MarkerMap(
-        cluster=dict.fromkeys(CLUSTERS[kind]), face=dict(FACE[kind]), calibration=CALIBRATION, accuracy=0.0,
-        ball=BALL,
-        target=cameras.target, up=cameras.up, club=club.name,
-    )  # fmt: skip
+    by_file = {"cluster": dict.fromkeys(CLUSTERS[kind]), "face": dict(FACE[kind]), "calibration": CALIBRATION}
+    return replace(positions_map(club, cameras), **by_file)
 
 
 def synthesize(
@@ -409,14 +385,13 @@ def check_swings(count: object, seed: object) -> None:
 
 def truth(swings: Sequence[SyntheticSwing], source: str = "synthetic") -> RecordedShots:
     """Return the exact deliveries and launches of swings as one table."""
-    count = len(swings)
     sides = ["left" if each.club.hand < 0 else "right" for each in swings]
     return RecordedShots(
         deliveries={name: np.array([each.truth[name] for each in swings]) for name in OF_CLUB},
         launches={name: np.array([each.launch[name] for each in swings]) for name in LAUNCH},
         clubs=np.array([each.club.name for each in swings], dtype=object),
         hand=np.array(sides, dtype=object),
-        rows=np.arange(1, count + 1),
+        rows=np.arange(1, len(swings) + 1),
         source=source,
         format="synthetic",
         speed_at="cg",

@@ -18,10 +18,10 @@ from numpy.typing import ArrayLike
 
 from clubface import units
 from clubface.capture.ball_flight import GRAVITY
-from clubface.capture.rotations import Array, delivered, exponential, face_axes, mirror
+from clubface.capture.geometry import off_face
+from clubface.capture.rotations import Array, delivered, exponential, mirror
 from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club, club as club_of
-from clubface.equipment.face import face_point, nearest
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.simulation.impact import impact
 
@@ -268,9 +268,7 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
         name: np.array([float(getattr(launched, f"{name}_{axis}")) for axis in "xyz"])
         for name in ("velocity", "club_velocity", "club_spin")
     }
-    touched = face_point(asked["toe"], asked["high"], club.bulge, club.roll)
-    normal = nearest(touched, club.bulge, club.roll)[1]
-    from_cg = attitude @ (np.array(club.cg) + face_axes(club.loft) @ (touched + struck.radius * normal))
+    from_cg = attitude @ (np.array(club.cg) + off_face(club, asked["toe"], asked["high"], struck.radius))
     rest = np.array([0.0, struck.radius + (0.0 if club.kind == "iron" else TEE), 0.0])
     signs = {name: club.hand if name in ("path", "face", "azimuth", "sidespin") else 1 for name in (*as_right, *LAUNCH)}
     return SyntheticSwing(
