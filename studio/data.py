@@ -20,7 +20,7 @@ from equations import equations_data
 from lesson_figures import lesson_figures
 from titles import ball_title, club_title, set_title
 
-from clubface import _core, fem
+from clubface import _core, fem, units
 from clubface.design.contributions import QUANTITIES
 from clubface.design.face_map import SHARE
 from clubface.design.face_surface import outline_of
@@ -41,7 +41,7 @@ from clubface.fem.case import case
 from clubface.fem.heads.parametric import DriverHead
 from clubface.fem.heads.read import design_of, head_names
 from clubface.fem.paper import ANGLE, FRICTION as REFERENCE_FRICTION, REFERENCE_SPEED
-from clubface.fem.run import THROW_ANGLES, THROW_SPEEDS
+from clubface.fem.run import THROW_ANGLE, THROW_SPEED
 from clubface.fem.settings import SAFETIES
 from clubface.schema import PhysicalValue
 from clubface.simulation.flight import GROUNDS
@@ -308,7 +308,13 @@ def elements_data() -> dict[str, Any]:
             "millisecond": fem.Settings(frames=MILLISECOND_FRAMES, threads=1).values(),
         },
         "safeties": list(SAFETIES),
-        "limits": {"friction": FRICTION_LIMITS, "thrown_speed": THROW_SPEEDS, "thrown_angle": THROW_ANGLES},
+        "limits": {
+            "friction": FRICTION_LIMITS,
+            **{
+                name: [units.to_si(each, kind.unit) for each in (kind.lower or 0.0, kind.upper or 0.0)]
+                for name, kind in (("thrown_speed", THROW_SPEED), ("thrown_angle", THROW_ANGLE))
+            },
+        },
         "cases": {
             "paper": {
                 "label": "Roh and Lee",

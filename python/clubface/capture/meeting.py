@@ -78,12 +78,11 @@ def _meet_by_ball(recording: Recording, followed: Track, setup: Setup, turn: Arr
     how = Extrapolation(noise, setup.estimator, setup.roughness, where)
     approach = follow(recording.times, followed, interval, ball.centre, head, radius, how)
     if mapping.ball is not None:
-        measured = ball.noise if mapping.noise is None else mapping.noise
-        deviation = max(measured, FLOOR) / np.sqrt(max(ball.frames, 1))
-        parts = Known("centre of the ball", "measured", "toe", deviations=[deviation])
+        noise_of_ball = ball.noise if mapping.noise is None else mapping.noise
+        way, deviation = "measured", max(noise_of_ball, FLOOR) / np.sqrt(max(ball.frames, 1))
     else:
-        deviation = max(mapping.ball_deviation, FLOOR)
-        parts = Known("centre of the ball", "given", "toe", deviations=[deviation])
+        way, deviation = "given", max(mapping.ball_deviation, FLOOR)
+    parts = Known("centre of the ball", way, "toe", deviations=[deviation])
     return Meeting(approach, ball, np.eye(3) * deviation**2, seen, None, noise, freedom, interval.notes, (parts,))
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from clubface import units
 from clubface.capture.calibration import Registration, calibrated, from_address, from_swing, given_positions
 from clubface.capture.estimators import ROUGHNESS, check_roughness, estimator as estimator_of
+from clubface.capture.geometry import LENGTH
 from clubface.capture.markers import MarkerMap, marker_map
 from clubface.capture.recording import Recording, read_c3d
 from clubface.capture.rotations import Array, mirror, visible
@@ -21,6 +22,7 @@ from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.described import HANDS
 from clubface.errors import FileError, InputError
+from clubface.schema import Place
 from clubface.support.checks import check_choice
 
 STEEP = 0.5
@@ -128,9 +130,7 @@ def prepare(
     if unit is not None:
         words["unit"] = units.unit(unit, name="units", dimension="length").symbol
     if noise is not None:
-        words["noise"] = units.parse(noise, "length", name="noise")
-        if not words["noise"] > 0.0:
-            raise InputError("noise", noise, "above 0 m")
+        words["noise"] = LENGTH.read(noise, Place(name="noise"))
     meant = replace(marker_map(mapping), **words)
     head = club_of(club)
     if hand is not None:

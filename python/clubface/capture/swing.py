@@ -223,7 +223,8 @@ class CapturedSwings(Described):
     @property
     def shots(self) -> RecordedShots:
         """Table of deliveries and launches."""
-        return self._table("c3d", [_values(each) for each in self.captured], [each.launch for each in self.captured])
+        values = [{name: getattr(each.delivery, name) for name in QUANTITIES} for each in self.captured]
+        return self._table("c3d", values, [each.launch for each in self.captured])
 
     @property
     def uncertainty(self) -> RecordedShots:
@@ -300,10 +301,6 @@ def read_swings(
     return CapturedSwings(
         captured=tuple(captured[: len(places)]), places=tuple(places), rejected=tuple(rejected), interrupted=interrupted
     )
-
-
-def _values(outcome: CapturedDelivery) -> dict[str, float]:
-    return {name: getattr(outcome.delivery, name) for name in QUANTITIES}
 
 
 SAME = {"ball_speed": 1.5, "launch": units.to_si(2.0, "deg"), "speed": 2.5}

@@ -168,19 +168,21 @@ def _orders(count: int) -> NDArray[np.int64]:
 def _best_order(shape: Array, observed: Array, limit: float) -> NDArray[np.int64] | None:
     """Return the permutation in which the markers of one frame fit best, or None if none fits."""
     orders = _orders(len(shape))
-    misfit = fit_poses(shape, observed[orders]).misfit
-    if np.isnan(misfit).all():
-        return None
-    best = int(np.nanargmin(misfit))
-    # Three markers fit any triangle of nearly the same sides, so four are needed.
-    return orders[best] if misfit[best] < limit and visible(observed).sum() > FEWEST else None
+    best = _best_fit(shape, observed, observed[orders], limit)
+    return None if best is None else orders[best]
 
 
 def _stray_marker(shape: Array, observed: Array, limit: float) -> int | None:
     """Return the marker without which the others fit, or None."""
     without = np.repeat(observed[None], len(shape), axis=0)
-    without[np.arange(len(shape)), np.arange(len(shape))] = np.nan
-    misfit = np.where(visible(observed), fit_poses(shape, without).misfit, np.nan)
+    without[np.diag_indices(len(shape))] = np.nan
+    return _best_fit(shape, observed, without, limit)
+
+
+def _best_fit(shape: Array, observed: Array, variants: Array, limit: float) -> int | None:
+    """Return which variant of the markers observed in one frame fits best, or None if none fits."""
+    misfit = fit_poses(shape, variants).misfit
+    # Three markers fit any triangle of nearly the same sides, so four are needed.
     if visible(observed).sum() <= FEWEST or np.isnan(misfit).all():
         return None
     best = int(np.nanargmin(misfit))

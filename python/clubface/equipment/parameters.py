@@ -119,6 +119,9 @@ def ends_in_words(name: str, limits: Range) -> str:
 
 
 FAMILIES = ("driver", "7-iron", "any")
+INCLUDED_TIME = PhysicalValue(
+    "us", above=0, allowed="above 0; for values of the ball alone set includes_face to false"
+)  # fmt: skip
 
 
 def _make_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
@@ -232,17 +235,10 @@ class ParameterSet:
         )
         if self.model in MODULES:
             object.__setattr__(self, "includes_face", False)
-        object.__setattr__(self, "characteristic_time", self._included_time())
-
-    def _included_time(self) -> float | None:
-        """Return the characteristic time of the included face, checked."""
-        if self.characteristic_time is None or not self.includes_face:
-            return None
-        time = units.parse(self.characteristic_time, "time", name="characteristic_time")
-        if not time > 0.0:
-            allowed = "above 0; for values of the ball alone set includes_face to false"
-            raise InputError("characteristic_time", units.show(time, "us"), allowed)
-        return time
+        time = self.characteristic_time if self.includes_face else None
+        if time is not None:
+            time = INCLUDED_TIME.read(time, Place(name="characteristic_time"))
+        object.__setattr__(self, "characteristic_time", time)
 
     @property
     def units(self) -> dict[str, str]:

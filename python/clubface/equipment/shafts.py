@@ -14,15 +14,14 @@ from clubface import units
 from clubface.equipment.attachment import CONTACT_TIME, spatial_inertia
 from clubface.equipment.described import EquipmentItem, set_si, sources_of, to_toml
 from clubface.errors import InputError
-from clubface.schema import NAME, TEXT, Choice, Items, PhysicalValue, file_key, quoted, template
+from clubface.schema import NAME, TEXT, Choice, Items, PhysicalValue, Place, file_key, quoted, template
 from clubface.simulation.beam import GRIPS, MATCHINGS, Beam, Modes, added_inertia, modes
 from clubface.support.checks import check_choice, check_name
 from clubface.support.files import builtin_names, builtin_path, is_path
 
 FOLDER = "shafts"
 MILLIMETRES = PhysicalValue("mm")
-CONTACT_TIMES = 50e-6, 2e-3
-"""Limits of the contact time [s]."""
+CONTACT_TIMES = PhysicalValue("us", 50, 2000, allowed="from 50 to 2000 us")
 FEWEST, MOST = 2, 200
 STATIONS = f"a list of {FEWEST} to {MOST} values, one for each station"
 
@@ -196,10 +195,7 @@ class Shaft(EquipmentItem):
             reproduces the head's motion.
         """
         check_choice("matching", matching, MATCHINGS)
-        time = units.parse(contact_time, "time", name="contact_time")
-        low, high = CONTACT_TIMES
-        if not low <= time <= high:
-            raise InputError("contact_time", units.show(time, "us"), f"from {low * 1e6:g} to {high * 1e6:g} us")
+        time = CONTACT_TIMES.read(contact_time, Place(name="contact_time"))
         try:
             added = added_inertia(np.linalg.inv(self.modes(club).mobility(time, matching)), _inertia(club))
         except ValueError:

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from clubface import _core as core, units
 from clubface.errors import ImplausibleWarning, InputError, Wording
-from clubface.schema import PhysicalValue, check_values, file_key
+from clubface.schema import PhysicalValue, Place, check_values, file_key
 from clubface.simulation.own_law import function_address
 from clubface.support.arrays import Floats
 from clubface.support.checks import Frozen, check_choice, check_count, check_names, check_text, warn_once
@@ -350,7 +350,11 @@ class Maxwell:
 MAX_BRANCHES = 4
 SHEAR = (1e3, 1e12)
 """Limits for the shear modulus [Pa]."""
-_POISSON = "-0.9 to 0.4999; a material with 0.5 is incompressible, which explicit time steps cannot handle"
+_INCOMPRESSIBLE = "-0.9 to 0.4999; a material with 0.5 is incompressible, which explicit time steps cannot handle"
+VALUES = {
+    "youngs": PhysicalValue("MPa", above=0, allowed="above 0"), "density": PhysicalValue("kg/m3", 10, 30e3),
+    "poisson": PhysicalValue("1", -0.9, 0.4999, allowed=_INCOMPRESSIBLE),
+}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -390,13 +394,9 @@ class Material:
         law = self._law()
         values = law.given(self.constants)
         object.__setattr__(self, "constants", Frozen(values))
-        object.__setattr__(self, "poisson", units.parse(self.poisson, units.DIMENSIONLESS, name="poisson"))
-        if not -0.9 <= self.poisson <= 0.4999:
-            raise InputError("poisson", self.poisson, _POISSON)
-        if self.density is not None:
-            object.__setattr__(self, "density", units.parse(self.density, "density", name="density"))
-            if not 10.0 <= self.density <= 30e3:
-                raise InputError("density", units.show(self.density, "kg/m3"), "10 to 30000 kg/m3")
+        for name in ("poisson", "density"):
+            if (given := getattr(self, name)) is not None:
+                object.__setattr__(self, name, VALUES[name].read(given, Place(name=name)))
         if self.volumetric is not None:
             check_volumetric(self.volumetric)
         object.__setattr__(self, "maxwell", tuple(self.maxwell))
@@ -459,18 +459,13 @@ class Material:
         volumetric: str | None = None,
     ) -> Material:
         """Return a material that is linear in logarithmic strain."""
-        modulus = units.parse(youngs, "pressure", name="youngs")
-        ratio = units.parse(poisson, units.DIMENSIONLESS, name="poisson")
-        if not modulus > 0.0:
-            raise InputError("youngs", units.show(modulus, "MPa"), "above 0")
-        if not -0.9 <= ratio <= 0.4999:
-            raise InputError("poisson", ratio, _POISSON)
+        modulus = VALUES["youngs"].read(youngs, Place(name="youngs"))
+        ratio = VALUES["poisson"].read(poisson, Place(name="poisson"))
         shear = modulus / (2.0 * (1.0 + ratio))
         if not SHEAR[0] <= shear <= SHEAR[1]:
             raise InputError("youngs", units.show(modulus, "MPa"), _shear_allowed(shear))
-        return cls(law="linear", constants={"shear": shear}, poisson=ratio, volumetric=volumetric,
-                   density=None if density is None else units.parse(density, "density", name="density"),
-                   maxwell=tuple(maxwell))  # fmt: skip
+        own: dict[str, Any] = {"density": density, "maxwell": maxwell, "volumetric": volumetric}
+        return cls(law="linear", constants={"shear": shear}, poisson=ratio, **own)
 
 
 def _shear_allowed(shear: float) -> str:

@@ -24,6 +24,7 @@ from clubface.fem.heads import head_names
 from clubface.fem.heads.meshed import MeshedHead, ShellHead, mesh_of
 from clubface.fem.result import Impact
 from clubface.fem.settings import Settings, settings_of
+from clubface.schema import PhysicalValue, Place
 from clubface.simulation.inputs import DeliveryLike, as_values, equipment, shots
 from clubface.simulation.results import input_columns, outputs
 from clubface.support.checks import check_choice, check_names, warn_once
@@ -43,10 +44,8 @@ FRICTION = Parameter(
     "default: the ball's; measured values are 0.3 to 0.4",
 )  # fmt: skip
 
-THROW_SPEEDS = (0.01, 150.0)
-"""Limits for the speed of a thrown ball [m/s]."""
-THROW_ANGLES = (0.0, units.parse("80 deg", "angle"))
-"""Limits for the angle between its velocity and the plane's normal [rad]."""
+THROW_SPEED = PhysicalValue("m/s", 0.01, 150)
+THROW_ANGLE = PhysicalValue("deg", 0, 80, allowed="0 to 80 deg from the normal")
 
 
 def simulate(
@@ -110,14 +109,7 @@ def case(ball: Ball, face: Mapping[str, Any], friction: float, how: Settings) ->
 
 def throw_values(speed: float | str, angle: float | str) -> tuple[float, float]:
     """Check speed and angle of a throw and return them [m/s, rad]."""
-    v = units.parse(speed, "speed", name="speed")
-    if not THROW_SPEEDS[0] <= v <= THROW_SPEEDS[1]:
-        raise InputError("speed", units.show(v, "m/s"), "{:g} to {:g} m/s".format(*THROW_SPEEDS))
-    incidence = units.parse(angle, "angle", name="angle")
-    if not THROW_ANGLES[0] <= incidence <= THROW_ANGLES[1]:
-        least, most = (units.from_si(each, "deg") for each in THROW_ANGLES)
-        raise InputError("angle", units.show(incidence, "deg"), f"{least:g} to {most:g} deg from the normal")
-    return v, incidence
+    return THROW_SPEED.read(speed, Place(name="speed")), THROW_ANGLE.read(angle, Place(name="angle"))
 
 
 @renamed_arguments(which="ball")
