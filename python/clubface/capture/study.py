@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -242,15 +242,14 @@ def study(
     with Finished() if checkpoint is None else Store(Path(checkpoint), content, remedy=REMEDY) as store:
         rows = run(Job("swings", range(count), read), store=store, progress=progress).values()
         store.remove()
-    truths, errors, deviations, touches = (np.array(each) for each in zip(*rows, strict=True))
-    return Study(
-        club=head,
-        cameras=seen,
-        errors=dict(zip(names, errors.swapaxes(0, 1), strict=True)),
-        deviations=dict(zip(names, deviations.swapaxes(0, 1), strict=True)),
-        touches=dict(zip(names, touches.T, strict=True)),
-        truth=truths,
-    )
+    return _study(head, seen, names, rows)
+
+
+def _study(club: Club, cameras: Cameras, names: Iterable[str], rows: Iterable[Sequence[Any]]) -> Study:
+    """Return the study of swings with a row each, as from :func:`read_swing`."""
+    truth, *values = (np.array(each) for each in zip(*rows, strict=True))
+    errors, deviations, touches = (dict(zip(names, each.swapaxes(0, 1), strict=True)) for each in values)
+    return Study(club=club, cameras=cameras, errors=errors, deviations=deviations, touches=touches, truth=truth)
 
 
 def read_swing(number: int, *, seed: int, club: Club, cameras: Cameras, ready: Iterable[Setup]) -> list[Any]:
@@ -294,8 +293,7 @@ def bare_study(
     seen = cameras or Cameras(rate=BARE_RATE, noise=3e-4)
     head = club_of_hand(club, hand)
     names, impact_models = tuple(ways), tuple(models())
-    errors, deviations = (np.full((len(names), count, len(QUANTITIES)), np.nan) for _ in range(2))
-    touches, truths = np.full((len(names), count), np.nan), np.full((count, len(QUANTITIES)), np.nan)
+    rows = []
     for number in range(count):
         asked = asked_at_random(np.random.default_rng([seed, number, 2]))
         impact_model = impact_models[number % len(impact_models)]
@@ -303,7 +301,10 @@ def bare_study(
             swing = random_swing(
                 np.random.default_rng([seed, number, 0]), club=head, hand=None, model=impact_model, **asked
             )
-        truths[number] = [swing.truth[name] for name in QUANTITIES]
+        truth = np.array([swing.truth[name] for name in QUANTITIES])
+        errors, deviations = np.full((2, len(names), len(QUANTITIES)), np.nan)
+        touches = np.full(len(names), np.nan)
+        rows.append((truth, errors, deviations, touches))
         bare = record_bare(swing, seen, np.random.default_rng([seed, number, 1]))
         for place, name in enumerate(names):
             by, _, measured = name.partition(", ")
@@ -316,17 +317,10 @@ def bare_study(
                 outcome = capture(bare.recording, prepare(mapping, head))
             except FileError:
                 continue
-            errors[place, number] = np.array([getattr(outcome.delivery, each) for each in QUANTITIES]) - truths[number]
-            deviations[place, number] = [outcome.uncertainty[each] for each in QUANTITIES]
-            touches[place, number] = outcome.time + bare.first
-    return Study(
-        club=head,
-        cameras=seen,
-        errors=dict(zip(names, errors, strict=True)),
-        deviations=dict(zip(names, deviations, strict=True)),
-        touches=dict(zip(names, touches, strict=True)),
-        truth=truths,
-    )
+            errors[place] = np.array([getattr(outcome.delivery, each) for each in QUANTITIES]) - truth
+            deviations[place] = [outcome.uncertainty[each] for each in QUANTITIES]
+            touches[place] = outcome.time + bare.first
+    return _study(head, seen, names, rows)
 
 
 def _in_units(values: Array) -> dict[str, float]:

@@ -34,23 +34,14 @@ POINTS = 50
 
 
 class FlexibleShaft(NamedTuple):
-    """Bending and twisting of the links from the hands to the tip, about the reference pose.
+    """Bending and twisting of the links from the hands to the tip, about the reference pose."""
 
-    Attributes
-    ----------
-    turn
-        Rotation of each link relative to the one before, per unit of each coordinate, in the axes of the reference pose
-        [rad], shape (modes, links, 3).
-    bending, torsion
-        Stiffness matrices of the coordinates per unit of EI and GJ at each station, shape (stations, modes, modes).
-    frequency
-        Natural angular frequencies of the modes with the hands held fixed [rad/s], shape (modes,).
-    """
-
+    # Rotation of each link relative to the one before, per unit of each coordinate, in the axes of the reference pose
+    # [rad], shape (modes, links, 3).
     turn: Any
-    bending: Any
-    torsion: Any
-    frequency: Any
+    bending: Any  # stiffness matrices of the coordinates per unit of EI at each station, shape (stations, modes, modes)
+    torsion: Any  # the same per unit of GJ
+    frequency: Any  # natural angular frequencies of the modes with the hands held fixed [rad/s], shape (modes,)
 
 
 Body = tuple[float, Any, Any]

@@ -40,34 +40,17 @@ class Mechanism(NamedTuple):
 
     Vectors are in world axes in the reference pose, with the origin in the middle of the hands. The held piece of shaft
     belongs to the body of the last hinge, and the head to the last link of the shaft.
-
-    Attributes
-    ----------
-    names
-        Names of the bodies.
-    axis
-        Axes of the hinges, shape (joints, 3).
-    turn
-        Rotation at each bend per unit of each shaft coordinate [rad], shape (links, 3, modes).
-    joint
-        Positions of hinges and bends [m], shape (bodies, 3).
-    mass, cg, inertia
-        Masses [kg], shape (bodies,); CGs [m], shape (bodies, 3); inertias about the CG [kg m2], shape (bodies, 3, 3).
-    head
-        CG of the head alone [m], shape (3,).
-    damping
-        Time constant of shaft damping [s]: elastic forces also act on this multiple of the rates.
     """
 
-    names: tuple[str, ...]
-    axis: Any
-    turn: Any
-    joint: Any
-    mass: Any
-    cg: Any
-    inertia: Any
-    head: Any
-    damping: float
+    names: tuple[str, ...]  # of the bodies
+    axis: Any  # of the hinges, shape (joints, 3)
+    turn: Any  # rotation at each bend per unit of each shaft coordinate [rad], shape (links, 3, modes)
+    joint: Any  # positions of hinges and bends [m], shape (bodies, 3)
+    mass: Any  # [kg], shape (bodies,)
+    cg: Any  # [m], shape (bodies, 3)
+    inertia: Any  # about the CG [kg m2], shape (bodies, 3, 3)
+    head: Any  # CG of the head alone [m], shape (3,)
+    damping: float  # time constant of shaft damping [s]: elastic forces also act on this multiple of the rates
 
     @property
     def joints(self) -> int:

@@ -60,9 +60,11 @@ class Cards:
         """Add a line of numeric fields; None leaves a field blank."""
         self.lines.append("".join(field(value) for value in fields).rstrip() or " " * WIDTH)
 
-    def text(self, text: str) -> None:
-        """Add a line of text, such as a title."""
-        self.lines.append(ascii_text(text)[:LONGEST])
+    def titled(self, name: str, title: str, *cards: Sequence[Any]) -> None:
+        """Add a keyword with a title and its cards."""
+        self.lines += [f"*{name}", ascii_text(title)[:LONGEST]]
+        for card in cards:
+            self.card(card)
 
     def nodes(self, places: Any, first: int = 1) -> None:
         """Add nodes (n, 3), numbered from ``first``: I8, then three coordinates of 16 characters."""
@@ -226,9 +228,7 @@ def _section(deck: Cards, number: int, metal: Metal) -> None:
 
 
 def _part(deck: Cards, number: int, title: str, metal: Metal, section: int, hourglass: int) -> None:
-    deck.keyword("PART")
-    deck.text(title)
-    deck.card([number, section, number, 0, hourglass])
+    deck.titled("PART", title, [number, section, number, 0, hourglass])
     elastic = [number, metal.density, metal.youngs, metal.poisson]
     if metal.yield_stress is None:
         deck.keyword("MAT_ELASTIC", elastic, names="mid ro e pr")
@@ -248,13 +248,9 @@ def _rigid(deck: Cards, club: Club, touch: dict[str, Any], nodes: int, elements:
     """Write a rigid head: a mesh of its face for contact, and mass, inertia and motion as numbers."""
     if club.characteristic_time:
         deck.comment("in clubface, the face of this club gives like a spring; this deck has a rigid face")
-    deck.keyword("PART_INERTIA")
-    deck.text(f"{club.name}: rigid")
-    deck.card([HEAD_PART, HEAD_SECTION, HEAD_PART])
-    deck.card([*touch["cg"], club.mass, 0])
-    inertia = touch["inertia"]
-    deck.card([inertia[i][j] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))])
-    deck.card([*touch["velocity"], *touch["spin"]])
+    inertia = [touch["inertia"][i][j] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))]
+    cards = [HEAD_PART, HEAD_SECTION, HEAD_PART], [*touch["cg"], club.mass, 0], inertia
+    deck.titled("PART_INERTIA", f"{club.name}: rigid", *cards, [*touch["velocity"], *touch["spin"]])
     deck.keyword(
         "MAT_RIGID", [HEAD_PART, STEEL_DENSITY, STEEL_YOUNGS, STEEL_POISSON], [0.0], [None], names="mid ro e pr"
     )
@@ -293,14 +289,11 @@ def _first_touch(case: Case, club: Club) -> dict[str, Any]:
 def _face_mesh(club: Club) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return nodes [m] of the face shells' middle surface, in face axes, and quadrilaterals numbered from 0."""
     across, up = (max(8, round(size / FACE_ELEMENT)) for size in (club.face_width, club.face_height))
-    places = []
-    for high in np.linspace(-0.5, 0.5, up + 1) * club.face_height:
-        for toe in np.linspace(-0.5, 0.5, across + 1) * club.face_width:
-            point = face_point(toe, high, club.bulge, club.roll)
-            places.append(point - 0.5 * SHELL * nearest(point, club.bulge, club.roll)[1])
+    toes, highs = (np.linspace(-0.5, 0.5, count + 1) for count in (across, up))
+    points = face_point(toes * club.face_width, highs[:, None] * club.face_height, club.bulge, club.roll).reshape(-1, 3)
     first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
     quads = np.stack([first, first + across + 1, first + across + 2, first + 1], axis=1)
-    return np.array(places), quads
+    return points - 0.5 * SHELL * nearest(points, club.bulge, club.roll)[1], quads
 
 
 USUAL_SAFETY = 0.9
@@ -347,9 +340,8 @@ def write(case: Case, path: str | os.PathLike[str]) -> Path:
     deck = Cards()
     deck.lines.append("*KEYWORD")
     deck.comment(f"clubface: {case.name}. {case.description}", *HEADER)
-    deck.keyword("TITLE")
     delivered = ", ".join(f"{key} {value}" for key, value in case.delivery.items())
-    deck.text(f"{case.name}: ball {case.ball.name}, {case.head}, {delivered}")
+    deck.titled("TITLE", f"{case.name}: ball {case.ball.name}, {case.head}, {delivered}")
     _control(deck, case.settings, case.head)
     _ball(deck, case.ball)
     if case.head == PLANE:
@@ -378,9 +370,7 @@ def _ball(deck: Cards, ball: Ball) -> None:
     deck.keyword("SECTION_SOLID", [1, 1], names="secid elform")
     deck.keyword("HOURGLASS", [1, 6, 1.0], names="hgid ihq qm")
     for number, piece in enumerate(ball.pieces, start=1):
-        deck.keyword("PART")
-        deck.text(f"{ball.name}: {piece.name}")
-        deck.card([number, 1, number, 0, 1])
+        deck.titled("PART", f"{ball.name}: {piece.name}", [number, 1, number, 0, 1])
         _material(deck, number, piece.material, float(mesh["density"][number - 1]))
     deck.keyword("SET_PART_LIST", [BALL_SET], list(range(1, len(ball.pieces) + 1)), names="sid")
     deck.nodes(mesh["nodes"] + [ball.diameter / 2.0, 0.0, 0.0])

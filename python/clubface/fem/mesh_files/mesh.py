@@ -44,48 +44,20 @@ class Wall:
 
 @dataclass(kw_only=True)
 class Mesh:
-    """Elements of a mesh file: either its surface elements or its solids.
+    """Elements of a mesh file: either its surface elements or its solids."""
 
-    Attributes
-    ----------
-    path
-        The file.
-    points
-        Positions of nodes in the unit of the file, shape (n, 3).
-    node_ids
-        Node numbers in the file, shape (n,).
-    corners
-        Nodes of each element, as rows of ``points``, shape (m, 4) for surfaces or (m, 8) for solids; -1 pads.
-    ids
-        Element numbers in the file, shape (m,).
-    thickness
-        Individual thickness of each element in the unit of the file; NaN if not given.
-    sets
-        Elements of each set by name, as rows of ``corners``.
-    aliases
-        Other names of sets, such as physical group numbers.
-    walls
-        Data on cards, by name of the set.
-    masses
-        Point masses: x, y, z and mass, in the units of the file.
-    notes
-        Sentences about changes and omissions.
-    solids
-        The solid elements of the file; None in the mesh of solids itself.
-    """
-
-    path: str
-    points: NDArray[Any]
-    node_ids: NDArray[Any]
-    corners: NDArray[Any]
-    ids: NDArray[Any]
-    thickness: NDArray[Any]
-    sets: dict[str, NDArray[Any]]
-    aliases: dict[str, str]
-    walls: dict[str, Wall]
-    masses: list[tuple[float, float, float, float]]
-    notes: list[str]
-    solids: Mesh | None = None
+    path: str  # the file
+    points: NDArray[Any]  # positions of nodes in the unit of the file, shape (n, 3)
+    node_ids: NDArray[Any]  # node numbers in the file, shape (n,)
+    corners: NDArray[Any]  # nodes of elements, rows of ``points``, (m, 4) for surfaces or (m, 8) for solids; -1 pads
+    ids: NDArray[Any]  # element numbers in the file, shape (m,)
+    thickness: NDArray[Any]  # individual thickness of each element in the unit of the file; NaN if not given
+    sets: dict[str, NDArray[Any]]  # elements of each set by name, as rows of ``corners``
+    aliases: dict[str, str]  # other names of sets, such as physical group numbers
+    walls: dict[str, Wall]  # data on cards, by name of the set
+    masses: list[tuple[float, float, float, float]]  # point masses: x, y, z and mass, in the units of the file
+    notes: list[str]  # sentences about changes and omissions
+    solids: Mesh | None = None  # the solid elements of the file; None in the mesh of solids itself
 
     def error(self, message: str) -> FileError:
         """Return an error about the file."""
