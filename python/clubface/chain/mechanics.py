@@ -73,9 +73,8 @@ def mechanism_of(
     head = (shaft.length - hands) * down - np.array(shaft.hosel) - np.array(club.cg)
     *others, last = pieces.bodies
     *segments, hand = ((each.mass, each.cg, each.inertia) for each in golfer.segments)
-    bodies = [
-        *segments, combined(hand, pieces.grip), *others, combined(last, (club.mass, head, np.array(club.inertia))),
-    ]  # fmt: skip
+    last = combined(last, (club.mass, head, np.array(club.inertia)))
+    bodies = [*segments, combined(hand, pieces.grip), *others, last]
     mass, cg, inertia = (np.array(each) for each in zip(*bodies, strict=True))
     names = (*(each.name for each in golfer.segments), *(f"shaft{link}" for link in range(links - 1)), "head")
     joint = np.concatenate([[each.joint for each in golfer.segments], np.outer(pieces.joint, down)])

@@ -142,10 +142,12 @@ def _registered() -> Mapping[str, Model]:
     for entry in _core.models():
         without = entry["laws_without"]
         lists = {
-            "laws": tuple(entry["laws"]), "laws_without": (without[0], tuple(without[1])) if without else None,
-            "parameters": tuple(Parameter(**each) for each in entry["parameters"]), "lacks": tuple(entry["lacks"]),
+            "laws": tuple(entry["laws"]),
+            "laws_without": (without[0], tuple(without[1])) if without else None,
+            "parameters": tuple(Parameter(**each) for each in entry["parameters"]),
+            "lacks": tuple(entry["lacks"]),
             "valid": tuple(ValidRange(**each) for each in entry["valid"]),
-        }  # fmt: skip
+        }
         result[entry["name"]] = Model(**(entry | lists))
     return Frozen(result)
 

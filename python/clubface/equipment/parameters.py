@@ -100,10 +100,10 @@ which ``response`` is fitted were generated from its range. Positions on the fac
 easily off centre, but the small heads among the strikes do so as much as built-in clubs 30 mm off the face centre."""
 
 
-RANGE = Record({
-    name: Interval(PhysicalValue(each.reading), '["101 mph", "118 mph"]', is_range=False)
-    for name, each in QUANTITIES.items()
-})  # fmt: skip
+EXAMPLE = '["101 mph", "118 mph"]'
+RANGE = Record(
+    {name: Interval(PhysicalValue(each.reading), EXAMPLE, is_range=False) for name, each in QUANTITIES.items()}
+)
 """Type of a table of ranges."""
 
 
@@ -119,9 +119,7 @@ def ends_in_words(name: str, limits: Range) -> str:
 
 
 FAMILIES = ("driver", "7-iron", "any")
-INCLUDED_TIME = PhysicalValue(
-    "us", above=0, allowed="above 0; for values of the ball alone set includes_face to false"
-)  # fmt: skip
+INCLUDED_TIME = PhysicalValue("us", above=0, allowed="above 0; for values of the ball alone set includes_face to false")
 
 
 def _make_set(given: dict[str, Any], place: Place) -> dict[str, Any]:
@@ -274,9 +272,7 @@ class ParameterSet:
         kept = {key: text for key, text in self.value_caveats.items() if key not in changes}
         source = self.source + (f"; changed: {', '.join(changes)}" if changes else "")
         values, unchosen = {**self.values, **new}, self.unchosen - changes.keys()
-        return replace(
-            self, values=values, value_caveats=kept, source=source, default=False, unchosen=unchosen
-        )  # fmt: skip
+        return replace(self, values=values, value_caveats=kept, source=source, default=False, unchosen=unchosen)
 
     def of_ball(self, name: str, values: Mapping[str, float]) -> Self:
         """Return the set with values of the ball ``name`` in place of parameters left at their defaults."""

@@ -352,9 +352,10 @@ SHEAR = (1e3, 1e12)
 """Limits for the shear modulus [Pa]."""
 _INCOMPRESSIBLE = "-0.9 to 0.4999; a material with 0.5 is incompressible, which explicit time steps cannot handle"
 VALUES = {
-    "youngs": PhysicalValue("MPa", above=0, allowed="above 0"), "density": PhysicalValue("kg/m3", 10, 30e3),
+    "youngs": PhysicalValue("MPa", above=0, allowed="above 0"),
+    "density": PhysicalValue("kg/m3", 10, 30e3),
     "poisson": PhysicalValue("1", -0.9, 0.4999, allowed=_INCOMPRESSIBLE),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -273,10 +273,8 @@ MAPPING, CALIBRATION, TRUTH = "markers.toml", "calibration.c3d", "truth.csv"
 
 def positions_map(club: Club, cameras: Cameras) -> MarkerMap:
     """Return the marker map that gives the cluster's positions."""
-    cluster = dict(CLUSTERS[kind_of(club)])
-    return MarkerMap(
-        cluster=cluster, accuracy=0.0, ball=BALL, target=cameras.target, up=cameras.up, club=club.name
-    )  # fmt: skip
+    cluster, target, up = dict(CLUSTERS[kind_of(club)]), cameras.target, cameras.up
+    return MarkerMap(cluster=cluster, accuracy=0.0, ball=BALL, target=target, up=up, club=club.name)
 
 
 def calibration_map(club: Club, cameras: Cameras) -> MarkerMap:
