@@ -217,7 +217,7 @@ def test_a_library_with_other_columns_is_refused(build, capfd):
         ({}, {"variables": []}, ["variables", "one or more"]),
         ({"loft": 0.2}, {"variables": ["loft"]}, ["loft", "given and a variable"]),
         ({}, {"variables": ["loft", "loft"]}, ["loft", "twice"]),
-        ({}, {"variables": ["speed", "face_width"]}, ["face_width", "no derivatives"]),
+        ({}, {"variables": ["speed", "face_width"]}, ["face_width", "plain number"]),
         ({}, {"quantities": ["carry"]}, ["carry", "ball_speed"]),
         ({"loft": [0.1, 0.2]}, {}, ["an array"]),
         ({}, {"variables": ["loft"]}, ["speed"]),
