@@ -9,7 +9,7 @@ import clubface
 from clubface import units
 from clubface.design.contributions import LAUNCHED, QUANTITIES
 from clubface.design.face_map import FaceMap, FaceMapDifference
-from clubface.design.face_surface import Interpolated, Outline, Surface, outline_of
+from clubface.design.face_surface import Outline, Surface, interpolated_surface, outline_of
 from clubface.errors import InputError, RangeWarning, RuleWarning, RunError, ShotError, UnknownNameError
 from clubface.fem.heads.read import club_of
 from clubface.schema import Document
@@ -131,23 +131,16 @@ def test_a_difference_is_of_the_same_points(driver):
     assert set(change.columns()) == {"toe", "high", *QUANTITIES}
 
 
-class Known(Surface):
+def known(*functions, outline, grid=(21, 11)):
     """A surface of which everything is known: quantity k is f_k(toe, high)."""
 
-    def __init__(self, *functions, outline=None, grid=(21, 11)):
-        self.functions, self.outline, self.grid = functions, outline, grid
-
-    def at(self, toe, high):
-        rows = [each(toe, high) for each in self.functions]
+    def at(toe, high):
+        rows = [each(toe, high) for each in functions]
         return np.array(rows + [np.zeros_like(toe)] * (len(QUANTITIES) - len(rows)))
 
-    def box(self):
-        toe, high = (
-            np.linspace(*ends, count)
-            for *ends, count in zip(self.outline.least, self.outline.greatest, self.grid, strict=True)
-        )
-        table = self.at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))
-        return toe, high, table.reshape(len(QUANTITIES), len(high), len(toe))
+    toe, high = (np.linspace(*ends) for ends in zip(outline.least, outline.greatest, grid, strict=True))
+    table = at(*(each.reshape(-1) for each in np.meshgrid(toe, high)))
+    return Surface(outline, at, toe, high, table.reshape(len(QUANTITIES), len(high), len(toe)))
 
 
 def forgiveness(surface, face, spread, toe, high):
@@ -164,7 +157,7 @@ def rectangle(width, height):
 def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
     """Over a face far larger than the spread: exact for polynomials, by Gauss's rule to 1e-8."""
     face = rectangle(0.4, 0.4)
-    surface = Known(lambda t, h: t, lambda t, h: t**2 + h, lambda t, h: t * h)
+    surface = known(lambda t, h: t, lambda t, h: t**2 + h, lambda t, h: t * h, outline=face)
     result = forgiveness(surface, face, ("12 mm", "9 mm"), "3 mm", "-2 mm")
     names = QUANTITIES[:3]
     means = [0.003, 0.012**2 + 0.003**2 - 0.002, -6e-6]
@@ -182,7 +175,8 @@ def test_the_spread_of_impacts_has_the_moments_of_the_normal_distribution():
 
 def test_swings_that_miss_the_face_are_reported_and_not_counted():
     """Of a normal distribution over a rectangle, by the error function; to 1e-9 by Gauss's rule."""
-    result = forgiveness(Known(lambda t, h: np.ones_like(t)), rectangle(0.06, 0.03), ("12 mm", "9 mm"), 0.0, 0.0)
+    face = rectangle(0.06, 0.03)
+    result = forgiveness(known(lambda t, h: np.ones_like(t), outline=face), face, ("12 mm", "9 mm"), 0.0, 0.0)
     on_face = math.erf(0.030 / 0.012 / math.sqrt(2.0)) * math.erf(0.015 / 0.009 / math.sqrt(2.0))
     assert result.missed == pytest.approx(1.0 - on_face, abs=1e-9)
     assert result.mean["ball_speed"] == pytest.approx(1.0, rel=1e-12)
@@ -208,7 +202,7 @@ def test_forgiveness_is_what_many_swings_give(driver):
 def test_the_best_point_is_found_far_below_the_grid():
     """Of a parabola about a point between those of the grid, to 1/200 of a mm."""
     face, place = rectangle(0.1, 0.05), (0.01234, -0.00567)
-    surface = Known(lambda t, h: 70.0 - 1e3 * ((t - place[0]) ** 2 + 2.0 * (h - place[1]) ** 2), outline=face)
+    surface = known(lambda t, h: 70.0 - 1e3 * ((t - place[0]) ** 2 + 2.0 * (h - place[1]) ** 2), outline=face)
     *result, value = surface.greatest(0)
     assert result == pytest.approx(place, abs=5e-6)
     assert value == pytest.approx(70.0, rel=1e-9)
@@ -218,7 +212,7 @@ def test_the_best_point_is_found_far_below_the_grid():
 def test_an_area_is_that_of_a_known_circle_and_stays_on_the_face(grid):
     """Of radius 10 mm, over a grid of 1 mm and eighths of it, also where the map is coarser: to 0.3 %."""
     for centre, part in ((0.0, 1.0), (0.05, 0.5)):
-        surface = Known(lambda t, h, c=centre: -np.hypot(t - c, h), outline=rectangle(0.1, 0.05), grid=grid)
+        surface = known(lambda t, h, c=centre: -np.hypot(t - c, h), outline=rectangle(0.1, 0.05), grid=grid)
         assert surface.area(0, -0.01) == pytest.approx(part * math.pi * 0.01**2, rel=3e-3)
 
 
@@ -245,7 +239,7 @@ def test_few_points_of_a_face_are_enough_where_a_model_takes_long(driver):
     assert coarse_map.area() == pytest.approx(driver.area(), rel=1e-3)  # computed, however coarse the grid
     across, up = np.meshgrid(coarse_map.toe, coarse_map.high)
     table = np.array([coarse_map.get(name).reshape(-1) for name in QUANTITIES])
-    surface = Interpolated(driver.outline, coarse_map.toe, coarse_map.high, table)
+    surface = interpolated_surface(driver.outline, coarse_map.toe, coarse_map.high, table)
     toe, high, _ = surface.greatest(0)
     best = driver.best()
     assert (toe, high) == pytest.approx((best.toe, best.high), abs=1.5e-3)

@@ -11,7 +11,7 @@ import numpy as np
 from clubface import units
 from clubface.design.contributions import QUANTITIES, quantities, symbol
 from clubface.design.dispersion import ImpactSetup
-from clubface.design.face_surface import ComputedFace, Interpolated, Outline, Struck, Surface, outline_of, run_points
+from clubface.design.face_surface import FaceImpacts, Outline, Surface, interpolated_surface, outline_of, run_points
 from clubface.equipment.balls import Ball
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.models import DEFAULT_MODEL, MODULES
@@ -226,8 +226,7 @@ class FaceMap(_Mapped):
         map.
         """
         check_choice("quantity", name, QUANTITIES)
-        toe, high, table = self.surface.box()
-        return toe, high, table[QUANTITIES.index(name)]
+        return self.surface.toe, self.surface.high, self.surface.table[QUANTITIES.index(name)]
 
     def to_xarray(self, name: str | None = None) -> xarray.Dataset:
         """Return a dataset over ``high`` and ``toe`` [SI] with provenance, or a table of :meth:`to_result`."""
@@ -326,7 +325,9 @@ def map_face(
     else:
         with without_warnings(RangeWarning):
             centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
-    settled = Struck(ImpactSetup(chosen, model, centre.parameters, ball, air, wind, ground, accuracy=accuracy), given)
+    settled = FaceImpacts(
+        ImpactSetup(chosen, model, centre.parameters, ball, air, wind, ground, accuracy=accuracy), given
+    )
     if centre.shape:
         raise InputError("delivery", Wording(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)
@@ -338,10 +339,11 @@ def map_face(
         table[:, inside] = run_points(
             settled, across[inside], up[inside], output=output, workers=workers, progress=progress
         )
-        surface = Interpolated(outline, toe, high, table)
+        surface = interpolated_surface(outline, toe, high, table)
     else:
         table = settled.at(across, up, remark=True, progress=progress)
-        surface = ComputedFace(settled, outline, toe, high, table)
+        grid_table = table.reshape(len(QUANTITIES), len(high), len(toe))
+        surface = Surface(outline, settled.at, toe, high, grid_table)
     table = np.where(outline.holds(across, up), table, np.nan).reshape(len(QUANTITIES), len(high), len(toe))
     if not np.isfinite(table).any():
         raise RunError("no impact point on the face gives a shot")

@@ -33,7 +33,7 @@ CHUNK = 2**16
 """Maximum number of points held in memory."""
 
 
-class Struck(NamedTuple):
+class FaceImpacts(NamedTuple):
     """Setup and delivery of the impacts on a face: everything except the impact point."""
 
     setup: ImpactSetup
@@ -66,10 +66,10 @@ class Struck(NamedTuple):
 
 
 def run_points(
-    struck: Struck, toe: Floats, high: Floats, *, output: str | os.PathLike[str] | None, workers: int | None,
+    struck: FaceImpacts, toe: Floats, high: Floats, *, output: str | os.PathLike[str] | None, workers: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> Floats:  # fmt: skip
-    """Return the same as :meth:`Struck.at` by finite elements, ``workers`` points at a time (None: one per core).
+    """Return the same as :meth:`FaceImpacts.at` by finite elements, ``workers`` points at a time (None: one per core).
 
     Finished points are kept in a folder next to the file ``output``; the same call then resumes.
     """
@@ -123,7 +123,7 @@ def _with_flights(setup: ImpactSetup, table: Floats) -> Floats:
     return result
 
 
-def _store(output: str | os.PathLike[str] | None, struck: Struck, places: list[tuple[float, float]]) -> Finished:
+def _store(output: str | os.PathLike[str] | None, struck: FaceImpacts, places: list[tuple[float, float]]) -> Finished:
     """Return the store of finished points."""
     from clubface.fem.balls import ball
     from clubface.fem.heads.meshed import mesh_of
@@ -222,34 +222,38 @@ def _mesh_outline(club: Any) -> Outline:
     return Outline(np.clip(between.reshape(-1, 2), -limit, limit), "of its mesh")
 
 
-class Surface:
+class Surface(NamedTuple):
     """The quantities at any point of a face.
 
-    ``interpolated`` says whether they are interpolated between the points of a grid.
+    Attributes
+    ----------
+    outline
+        The outline of the face.
+    at
+        Returns the quantities [SI] at points of the face [m], shape (quantities, points).
+    toe, high
+        Coordinates of a grid over the bounding box of the face, towards the toe and upwards [m].
+    table
+        The quantities over the grid, shape (quantities, high, toe). They extend beyond the outline so that it can be
+        clipped sharply.
+    interpolated
+        Whether the quantities are interpolated between known points.
     """
 
-    interpolated = False
     outline: Outline
-
-    def at(self, toe: Floats, high: Floats) -> Floats:
-        """Return the quantities [SI] at points of the face [m], shape (quantities, points)."""
-        raise NotImplementedError
-
-    def box(self) -> tuple[Floats, Floats, Floats]:
-        """Return grid coordinates towards the toe and upwards [m], and the quantities over the face's bounding box.
-
-        The quantities, shape (quantities, high, toe), extend beyond the outline so that it can be clipped sharply.
-        """
-        raise NotImplementedError
+    at: Callable[[Floats, Floats], Floats]
+    toe: Floats
+    high: Floats
+    table: Floats
+    interpolated: bool = False
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
         """Return the point [m] where a quantity is greatest, and its value there [SI].
 
         The search refines around the largest value on the grid.
         """
-        toe, high, table = self.box()
         best = self.outline.in_core().greatest(
-            toe.tolist(), high.tolist(), table[quantity], lambda across, up: self.at(across, up)[quantity]
+            self.toe.tolist(), self.high.tolist(), self.table[quantity], lambda toe, high: self.at(toe, high)[quantity]
         )
         if best is None:
             raise RunError("no impact point on the face gives a shot")
@@ -260,53 +264,32 @@ class Surface:
 
         It is integrated over the grid, or over a finer one if the grid is coarse.
         """
-        toe, high, table = self.box()
+        across, up = self.toe.tolist(), self.high.tolist()
         return self.outline.in_core().area_above(
-            toe.tolist(), high.tolist(), table[quantity], least, lambda across, up: self.at(across, up)[quantity]
+            across, up, self.table[quantity], least, lambda toe, high: self.at(toe, high)[quantity]
         )
 
 
-class ComputedFace(Surface):
-    """A face whose points are computed on demand; its box is the grid."""
+def interpolated_surface(outline: Outline, toe: Floats, high: Floats, table: Floats) -> Surface:
+    """Return a surface interpolated between known points by radial basis functions (cubic, about a parabola)."""
+    from scipy.interpolate import RBFInterpolator
 
-    def __init__(self, struck: Struck, outline: Outline, toe: Floats, high: Floats, table: Floats) -> None:
-        self.outline, self.at = outline, struck.at
-        self._box = toe, high, table.reshape(len(QUANTITIES), len(high), len(toe))
+    across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
+    known = np.isfinite(table).all(axis=0)
+    scale = (outline.greatest - outline.least) / 2.0
+    places = np.stack([across[known], up[known]], axis=1) / scale
+    try:
+        through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
+    except (ValueError, np.linalg.LinAlgError):
+        raise RunError(
+            f"only {known.sum()} points on the face give a shot, too few for a map; give a finer grid"
+        ) from None
 
-    def box(self) -> tuple[Floats, Floats, Floats]:
-        """Return the grid."""
-        return self._box
+    def at(toe: Floats, high: Floats) -> Floats:
+        return through(np.stack([toe, high], axis=1) / scale).T
 
-
-class Interpolated(Surface):
-    """A face interpolated between known points by radial basis functions (cubic, about a parabola)."""
-
-    interpolated = True
-
-    def __init__(self, outline: Outline, toe: Floats, high: Floats, table: Floats) -> None:
-        from scipy.interpolate import RBFInterpolator
-
-        self.outline = outline
-        across, up = (each.reshape(-1) for each in np.meshgrid(toe, high))
-        known = np.isfinite(table).all(axis=0)
-        self._scale = (outline.greatest - outline.least) / 2.0
-        places = np.stack([across[known], up[known]], axis=1) / self._scale
-        try:
-            self._through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
-        except (ValueError, np.linalg.LinAlgError):
-            raise RunError(
-                f"only {known.sum()} points on the face give a shot, too few for a map; give a finer grid"
-            ) from None
-        count = core.face_fine()
-        ends = zip(outline.least, outline.greatest, strict=True)
-        fine_toe, fine_high = (np.linspace(least, greatest, count) for least, greatest in ends)
-        fine = self.at(*(each.reshape(-1) for each in np.meshgrid(fine_toe, fine_high)))
-        self._box = fine_toe, fine_high, fine.reshape(len(QUANTITIES), count, count)
-
-    def at(self, toe: Floats, high: Floats) -> Floats:
-        """Return the interpolated quantities at points of the face."""
-        return self._through(np.stack([toe, high], axis=1) / self._scale).T
-
-    def box(self) -> tuple[Floats, Floats, Floats]:
-        """Return a fine grid."""
-        return self._box
+    count = core.face_fine()
+    ends = zip(outline.least, outline.greatest, strict=True)
+    fine_toe, fine_high = (np.linspace(least, greatest, count) for least, greatest in ends)
+    fine = at(*(each.reshape(-1) for each in np.meshgrid(fine_toe, fine_high)))
+    return Surface(outline, at, fine_toe, fine_high, fine.reshape(len(QUANTITIES), count, count), interpolated=True)
