@@ -7,9 +7,8 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from io import BytesIO
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +27,7 @@ from clubface.shots.summary_rows import summaries_in
 from clubface.shots.tables.cells import PARTS_MISSING, Chunk, Reject
 from clubface.shots.tables.headings import HAND, ColumnLayout
 from clubface.shots.tables.parquet import ParquetForm
-from clubface.shots.tables.writer import CsvForm, OutputFormat, RejectsForm, is_parquet
+from clubface.shots.tables.writer import CsvForm, csv_lines, is_parquet, join_csv
 from clubface.simulation.flight import AirLike, WindLike, check_conditions, conditions, fly
 from clubface.simulation.impact import Parameters, Tally, backend_of, impact
 from clubface.simulation.inputs import HandLike, equipped, hand_value, thread_count, tolerance
@@ -152,15 +151,6 @@ class PredictionTask:
         return rows, results, sorted([*rejects, *chunk.ragged], key=lambda each: each.line), tally
 
 
-class PredictionOutcome(NamedTuple):
-    """The outcome of a run."""
-
-    counts: Mapping[str, int]  # rows read, written and rejected, including earlier runs
-    first_rejects: tuple[tuple[int, str], ...]  # line and reason of the first rejects
-    tally: Tally  # tally of shots outside the model's range
-    resumed: int  # rows done by earlier runs
-
-
 def run(
     opened: Source,
     task: PredictionTask,
@@ -168,16 +158,19 @@ def run(
     chunk_rows: int,
     progress: Callable[[float, int], object] | None,
     resume: bool,
-) -> PredictionOutcome:
-    """Compute the rows of a file; ``paths`` are the source, the output and the rejects."""
+) -> tuple[dict[str, Any], Tally]:
+    """Compute the rows of a file, and return fields of the report and a tally of shots outside the model's range.
+
+    ``paths`` are the source, the output and the rejects. Counts include the rows of earlier runs.
+    """
     source, target, rejects_path = paths
     table, headings = opened.table, task.columns.headings
-    form: OutputFormat = (
+    form = (
         ParquetForm(target, headings, table.types, task.headings, task.provenance)
         if is_parquet(target)
         else CsvForm([*headings, *task.headings], table.delimiter, table.decimal_comma)
     )
-    rejects_form = RejectsForm(headings, table.delimiter, table.counts)
+    rejects_headings = [table.counts, "reason", *headings]
     folder = unfinished_folder(target, [source, rejects_path])
     with Store(folder, task.content_of(source), output=target, resume=resume) as store:
         names = _stored_chunks(store, target.suffix)
@@ -188,11 +181,10 @@ def run(
                 names.append(name := f"{done:012d}+{read}")
                 if _chunk_files(store, name, target.suffix) is None:
                     rows, results, rejects, tally = task.compute(chunk)
-                    form.piece(piece := BytesIO(), chunk, rows, results)
-                    sums = [store.keep_part(name + target.suffix, piece.getvalue())]
+                    sums = [store.keep_part(name + target.suffix, form.piece(chunk, rows, results))]
                     if rejects:
-                        rejects_form.piece(piece := BytesIO(), rejects)
-                        sums.append(store.keep_part(name + REJECTS, piece.getvalue()))
+                        lines = csv_lines([[each.line, each.reason, *each.cells] for each in rejects], table.delimiter)
+                        sums.append(store.keep_part(name + REJECTS, lines))
                     store.keep(name, {
                         "first": done, "rows": read, "written": read - len(rejects), "rejected": len(rejects),
                         "shown": [(each.line, each.reason) for each in rejects[:SHOWN]], "outside": tally.counts(),
@@ -213,15 +205,14 @@ def run(
         for chunk in chunks:
             tally.add_counts(chunk["outside"])
         if counts["rejected"]:
-            store.write_result(
-                rejects_path, lambda file: rejects_form.whole(file, _all_chunk_files(store, names, target.suffix, 1))
-            )
+            pieces = _all_chunk_files(store, names, target.suffix, 1)
+            store.write_result(rejects_path, lambda file: join_csv(file, rejects_headings, table.delimiter, pieces))
         else:
             # Rejects of an earlier run belong to another file and are removed.
             rejects_path.unlink(missing_ok=True)
         store.write_result(target, lambda file: form.whole(file, _all_chunk_files(store, names, target.suffix, 0)))
         store.remove()
-    return PredictionOutcome(counts, tuple(shown[:SHOWN]), tally, resumed)
+    return {**counts, "first_rejects": tuple(shown[:SHOWN]), "resumed": resumed}, tally
 
 
 def _stored_chunks(store: Store, ending: str) -> list[str]:
@@ -483,7 +474,7 @@ def predict(
             shot=shot, flight=flight, hand=side, columns=opened.columns._replace(used=opened.used),
             results=results_of(model, carry), provenance=provenance, content=opened.content,
         )  # fmt: skip
-        outcome = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
+        outcome, tally = run(opened, task, (path, target, rejects_path), chunk_rows, progress, resume)
     finally:
         opened.table.close()
     loft = f"{equipment.club.name} {show(equipment.club.loft, 'deg', 4)}"
@@ -492,15 +483,13 @@ def predict(
     return PredictReport(
         source=str(path),
         output=str(target),
-        rejects=str(rejects_path) if outcome.counts["rejected"] else None,
-        **outcome.counts,
+        rejects=str(rejects_path) if outcome["rejected"] else None,
+        **outcome,
         blank=opened.table.blank,
         used={each.heading: (each.quantity, each.unit) for each in used},
         passed=opened.columns.passed,
         added=task.headings,
-        notes=(*opened.notes, *free_text([remark] if (remark := outcome.tally.remark()) else [])),
-        first_rejects=outcome.first_rejects,
-        resumed=outcome.resumed,
+        notes=(*opened.notes, *free_text([remark] if (remark := tally.remark()) else [])),
         provenance=provenance,
         hand=SIDES[side],
         assumptions=(*(() if loft_given else (note("static-loft", clubs=[loft]),)), *variant_caveats(chosen)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from importlib.util import find_spec
+from io import BytesIO
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -100,7 +101,7 @@ class ParquetReader:
 
 
 class ParquetForm:
-    """Launches written to Parquet, one row group per chunk. See :class:`clubface.shots.tables.writer.OutputFormat`."""
+    """Launches written to Parquet in pieces, one row group per chunk, as by ``CsvForm``."""
 
     def __init__(
         self, path: Path, headings: Sequence[str], types: Sequence[Any], results: Sequence[str], provenance: Any
@@ -111,11 +112,13 @@ class ParquetForm:
         self._schema = arrow.schema(list(zip([*headings, *results], kinds, strict=True)), metadata)
         self._width = len(headings)
 
-    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a chunk (None: all), each followed by its results."""
+    def piece(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> bytes:
+        """Return some rows of a chunk (None: all), each followed by its results."""
         cells = [chunk.arrow(place, rows) for place in range(self._width)]
         arrays = [*cells, *(self._arrow.array(each) for each in results)]
+        file = BytesIO()
         self._arrow.parquet.write_table(self._arrow.Table.from_arrays(arrays, schema=self._schema), file)
+        return file.getvalue()
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
         """Write the row groups of all pieces."""

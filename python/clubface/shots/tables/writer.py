@@ -8,10 +8,10 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any, BinaryIO, Protocol
+from typing import Any, BinaryIO
 
 from clubface.errors import LINES, FileError, legible
-from clubface.shots.tables.cells import PARTS_MISSING, Chunk, Reject, cell_text
+from clubface.shots.tables.cells import PARTS_MISSING, Chunk, cell_text
 from clubface.shots.tables.parquet import ENDINGS as PARQUET, pyarrow_for
 from clubface.support.files import whole_file
 
@@ -21,28 +21,16 @@ DIGITS = 9
 """Significant digits in a CSV file, far below the error of any model."""
 
 
-class OutputFormat(Protocol):
-    """A format for launches: chunks are written to separate files, which are joined at the end."""
-
-    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a chunk (None: all), each followed by its results."""
-        ...
-
-    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
-        """Write the file of all pieces."""
-        ...
-
-
 class CsvForm:
-    """Launches written as CSV, with cells and decimals as in the source file. See :class:`OutputFormat`."""
+    """Launches written as CSV in pieces, with cells and decimals as in the source file."""
 
     def __init__(self, headings: Sequence[str], delimiter: str, decimal_comma: bool) -> None:
         self._headings = headings
         self._comma = decimal_comma
         self._delimiter = delimiter
 
-    def piece(self, file: BinaryIO, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> None:
-        """Write some rows of a chunk (None: all), each followed by its results."""
+    def piece(self, chunk: Chunk, rows: Sequence[int] | None, results: Sequence[Any]) -> bytes:
+        """Return some rows of a chunk (None: all), each followed by its results."""
         cell = f'"%.{DIGITS}g"' if self._comma and self._delimiter == "," else f"%.{DIGITS}g"
         form = self._delimiter.join([cell] * len(results)) + "\n"
         results_written = [form % row for row in zip(*(each.tolist() for each in results), strict=True)]
@@ -50,33 +38,16 @@ class CsvForm:
             results_written = [text.replace(".", ",") for text in results_written]
         rows_written = chunk.written(rows, self._delimiter)
         lines = (f"{text}{self._delimiter}{more}" for text, more in zip(rows_written, results_written, strict=True))
-        file.write(legible("".join(lines), LINES).encode())
+        return legible("".join(lines), LINES).encode()
 
     def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
         """Write the headings and all pieces."""
-        file.write(csv_lines([self._headings], self._delimiter))
-        put_together(file, pieces)
+        join_csv(file, self._headings, self._delimiter, pieces)
 
 
-class RejectsForm:
-    """Rejected rows, each with its line and reason."""
-
-    def __init__(self, headings: Sequence[str], delimiter: str, counts: str) -> None:
-        self._headings = [counts, "reason", *headings]
-        self._delimiter = delimiter
-
-    def piece(self, file: BinaryIO, rejects: Iterable[Reject]) -> None:
-        """Write rows with line and reason."""
-        file.write(csv_lines([[each.line, each.reason, *each.cells] for each in rejects], self._delimiter))
-
-    def whole(self, file: BinaryIO, pieces: Iterable[Path]) -> None:
-        """Write the headings and all pieces."""
-        file.write(csv_lines([self._headings], self._delimiter))
-        put_together(file, pieces)
-
-
-def put_together(file: BinaryIO, pieces: Iterable[Path]) -> None:
-    """Write the contents of some files one after another."""
+def join_csv(file: BinaryIO, headings: Sequence[str], delimiter: str, pieces: Iterable[Path]) -> None:
+    """Write headings, then the contents of some files one after another."""
+    file.write(csv_lines([headings], delimiter))
     for path in pieces:
         try:
             piece = path.open("rb")
