@@ -53,7 +53,7 @@ def test_a_dispersion_is_that_of_python(clubface_):
 
 def test_the_table_tells_percentiles_ellipses_strokes_and_shares(clubface_):
     out = clubface_("dispersion", "handicap-10-driver", "--count", "1024", "--hole", "400 yd").out
-    for words in ("by derivatives", "Ellipses", "gained", "Shapley effects", "face angle", "have no result"):
+    for words in ("by derivatives", "Landing ellipses", "gained", "Shapley effects", "face angle", "have no result"):
         assert words in out
     assert "carry" not in clubface_("dispersion", "tour-driver", "--count", "64", "--no-flight").out
 
@@ -159,7 +159,7 @@ def test_a_golfer_in_whom_little_varies_is_hit_with(clubface_, tmp_path, spread,
     file = tmp_path / "robot.toml"
     file.write_text(f'title = "robot"\n[mean]\nspeed = "95 mph"\nloft = "14 deg"\n[spread]\n{spread}\n')
     out = clubface_("dispersion", str(file), "--count", "64", "--hole", "400 yd").out
-    assert ("What spreads the shots" in out) == shares
+    assert ("Sources of the spread" in out) == shares
 
 
 def test_the_best_loft_is_given_by_speed_and_beside_a_chart(clubface_):

@@ -70,7 +70,7 @@ def test_a_document_has_everything(clubface_, files):
     assert "25 degC, 1013.2 hPa, 50% humidity" in text  # the air of the carries
     after, before = (f"{best[which] / 0.44704:.2f}" for which in ("best", "start"))
     assert f"The mean ball speed of the best head is {after} mph instead of {before} mph." in text
-    assert "Designs that finite elements judged" in text
+    assert "Designs evaluated by finite elements" in text
     assert "Computed by clubface" in text
     assert document["values"]["objective"] == "ball_speed"
     assert [each["kind"] for each in document["tables"]["designs"]["rows"]] == ["start", "neighbour", "proposal"]

@@ -51,7 +51,14 @@ def test_the_optimum_is_a_club_that_can_be_hit(clubface_, study, tmp_path):
     target, picture = tmp_path / "best.toml", tmp_path / "best.svg"
     ran = clubface_("optimise", str(study), "-o", str(target), "--plot", str(picture))
     assert ran.status == 0
-    for words in ("A short study", "On fresh shots", "Limits", "kept", "2 of 2 starts", "seen from the face centre"):
+    for words in (
+        "A short study",
+        "On fresh shots",
+        "Limits",
+        "kept",
+        "2 of 2 starts",
+        "relative to the face centre",
+    ):
         assert words in ran.out
     assert picture.read_text().startswith("<?xml")
     best = Club.from_toml(target)

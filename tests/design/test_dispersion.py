@@ -33,9 +33,13 @@ def test_moments_and_quantiles_are_those_of_the_shots_one_by_one(drives):
     for share in (0.1, 0.5, 0.9):
         assert drives.quantile("carry", share) == pytest.approx(np.quantile(carry, share), abs=0.06)
     side = flight.side[np.isfinite(flight.carry)]
-    centre, covariance = drives.tally.landing()
-    assert centre == pytest.approx([forward(carry, side).mean(), side.mean()], rel=1e-10)
-    assert covariance == pytest.approx(np.cov([forward(carry, side), side], bias=True), rel=1e-8)
+    ellipse = drives.tally.ellipse(0.5)
+    assert ellipse.centre == pytest.approx([forward(carry, side).mean(), side.mean()], rel=1e-10)
+    # An ellipse with half axes h turned by R has the shape of the covariance if R diag(h^2) R' is a multiple of it.
+    cosine, sine = np.cos(ellipse.angle), np.sin(ellipse.angle)
+    turned = np.array([[cosine, -sine], [sine, cosine]]) * ellipse.half_axes
+    covariance, shape = np.cov([forward(carry, side), side], bias=True), turned @ turned.T
+    assert shape / shape[0, 0] == pytest.approx(covariance / covariance[0, 0], rel=1e-8)
 
 
 def test_the_shots_too_are_made_by_as_many_threads_as_are_given():

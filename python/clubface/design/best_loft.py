@@ -24,7 +24,7 @@ from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names
 from clubface.simulation.flight import AirLike, GroundLike, WindLike
 from clubface.simulation.impact import Parameters
 from clubface.simulation.launch import Launch
@@ -187,9 +187,7 @@ def best_loft(
         best = lofts[np.arange(len(place)), place]
         low, high = np.maximum(best - step, LEAST), np.minimum(best + step, MOST)
     launch, flight = strike(best[:, None])
-    ball_speed, launched, spin = (
-        np.asarray(each)[:, 0] for each in (launch.ball_speed, launch.launch, launch.total_spin)
-    )
+    ball_speed, launched, spin = (launch.get(name)[:, 0] for name in ("ball_speed", "launch", "total_spin"))
     return BestLoft(
         speed=speeds, attack=attacks, loft=best, ball_speed=ball_speed, launch=launched, spin=spin,
         carry=flight.carry[:, 0], total=flight.total[:, 0], flown=launch, air=air, wind=wind,
@@ -260,10 +258,8 @@ class ChartComparison(Described):
         best, chart = self.best, self.chart
         columns = _case_columns(best)
         for name in self.compared:
-            columns += [
-                _value_column(best, name),
-                column(f"published_{name}", self.column(name), SHOWN[name], label=chart),
-            ]
+            published = column(f"published_{name}", self.column(name), SHOWN[name], label=chart)
+            columns += [_value_column(best, name), published]
         columns += [_value_column(best, name, printed=False) for name in SHOWN if name not in self.compared]
         columns += _extra_columns(best, printed=False)
         published = {self.quantity(name): name for name in self.published}
@@ -275,8 +271,7 @@ class ChartComparison(Described):
         kinds = [quantity(SHOWN[name]) for name in self.compared]
         away = [getattr(best, name) - self.column(name) for name in self.compared]
         differences = (
-            text("quantity", self.compared, printed=False),
-            text("what", [each.label for each in kinds], in_files=False),
+            *row_names("quantity", self.compared, [each.label for each in kinds]),
             *(Column(word, [float(pick(each)) for each in away], kinds, difference=True)
               for word, pick in (("mean", np.mean), ("least", np.min), ("greatest", np.max))),
         )  # fmt: skip
@@ -286,7 +281,7 @@ class ChartComparison(Described):
             kind="best-loft", title=f"Best dynamic loft for carry and the chart of {chart}: {best.flown.club.name}, "
             f"{best.flown.model}",
             tables=(
-                Table("best_lofts", tuple(columns)), Table("differences", differences, "Best less published"),
+                Table("best_lofts", tuple(columns)), Table("differences", differences, "Computed minus published"),
             ),
             summary=(
                 *_summary(best), note("best-loft-delivered"), note(launch, chart=chart, loft=float(np.mean(away[0]))),
@@ -330,17 +325,15 @@ def _case_columns(best_loft: BestLoft) -> list[Column]:
 
 
 def _value_column(best_loft: BestLoft, name: str, *, printed: bool = True) -> Column:
-    label = "best loft" if name == "loft" else ""
-    return column(
-        name, getattr(best_loft, name), SHOWN[name], label=label or quantity(SHOWN[name]).label, printed=printed
-    )
+    label = "best loft" if name == "loft" else quantity(SHOWN[name]).label
+    return column(name, getattr(best_loft, name), SHOWN[name], label=label, printed=printed)
 
 
 def _extra_columns(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
     return [
         column("total", best_loft.total, printed=False),
-        column("within_below", best_loft.within[:, 0], "loft", label="as good with less", printed=printed),
-        column("within_above", best_loft.within[:, 1], "loft", label="or more", printed=printed),
+        column("within_below", best_loft.within[:, 0], "loft", label="as good down to (less)", printed=printed),
+        column("within_above", best_loft.within[:, 1], "loft", label="as good up to (more)", printed=printed),
     ]
 
 
@@ -376,8 +369,13 @@ def best_loft_picture(best_loft: BestLoft) -> Picture:
             Mark("points", speed, carry, style=place, symbol=str(place), label=label),
         ]
     panels: list[Panel | None] = [
-        Panel(lofts, axis("speed"), axis("loft", "best dynamic loft"), "Bars: within them the loft is as good"),
-        Panel(carries, axis("speed"), axis("carry"), "How far the ball carries with it"),
+        Panel(
+            lofts,
+            axis("speed"),
+            axis("loft", "best dynamic loft"),
+            "Best dynamic loft; bars show lofts practically as good",
+        ),
+        Panel(carries, axis("speed"), axis("carry"), "Carry at the best loft"),
     ]
     return Picture("best-loft", "Best loft and its carry over the club speed", [panels], height=3.4, legend=True)
 
@@ -390,8 +388,8 @@ def chart_picture(comparison: ChartComparison) -> Picture:
         ends = [min(theirs.min(), ours.min()), max(theirs.max(), ours.max())]
         marks = [Mark("line", ends, ends, style=-1, size=0.8, dash=0), Mark("points", theirs, ours)]
         kind = SHOWN[name]
-        panels.append(Panel(marks, axis(kind, comparison.chart), axis(kind, "found here"), quantity(kind).label))
+        panels.append(Panel(marks, axis(kind, comparison.chart), axis(kind, "computed"), quantity(kind).label))
     panels += [None] * (len(panels) % 2)
     rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
-    caption = f"What was found here over what the chart of {comparison.chart} has"
+    caption = f"Computed values over those of the chart of {comparison.chart}"
     return Picture("best-loft-chart", caption, rows, height=2.5 * len(rows))

@@ -186,19 +186,19 @@ class Compared(Described):
         for name, each in split.items():
             rows += _split_rows(name, self.launches[name], each, self._differences(name))
         alone = len(split) == 1
-        title = f"What makes {next(iter(split))} differ" if alone else "What makes the differences"
+        whose = f"difference of {next(iter(split))}" if alone else "differences"
         kinds = [each.quantity for each in rows]
         columns = (
             text("alternative", [each.alternative for each in rows], printed=not alone),
             text("part", [each.part for each in rows], printed=False),
             text("change", [each.change for each in rows], printed=False),
-            text("what changes", [each.label for each in rows], in_files=False),
+            text("change of", [each.label for each in rows], in_files=False),
             Column("from", [each.start for each in rows], kinds, digits=-6),
             Column("to", [each.end for each in rows], kinds, digits=-6),
             *_quantity_columns([each.numbers for each in rows], printed=SPLIT),
         )
         return Table(
-            "contributions", columns, f"{title} from {self.names[0]}", summary=alone,
+            "contributions", columns, f"Contributions to the {whose} from {self.names[0]}", summary=alone,
             shown_rows=[place for place, each in enumerate(rows) if not each.hidden],
         )  # fmt: skip
 
@@ -298,7 +298,7 @@ def comparison_picture(compared: Compared) -> Picture:
             rows.append(_contribution_panels(compared, name, made))
             heights.append(0.9 + 0.19 * (min(len(made.changes), _MOST_BARS + 1) + 2))
     return Picture(
-        "comparison", "Flights, and what makes the differences", rows, heights=heights,
+        "comparison", "Flights, and contributions to their differences", rows, heights=heights,
         height=sum(heights) + 0.3 * len(heights) + 0.8, legend=True,
     )  # fmt: skip
 

@@ -131,11 +131,6 @@ class ShotTally:
         edges, counts = self._counts.histogram(self._place(name), width)
         return edges, counts.astype(np.int64)
 
-    def landing(self) -> tuple[Floats, Floats]:
-        """Return mean [m], shape (2,), and covariance [m2], shape (2, 2), of the landings (ahead, right)."""
-        mean, (ahead, right, both) = self._counts.landing()
-        return np.array(mean), np.array([[ahead, both], [both, right]])
-
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse that contains a share of the landings."""
         check_share(share)

@@ -12,7 +12,7 @@ from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
@@ -67,7 +67,7 @@ def dispersion_result(
 def _quantities(dispersion: Dispersion, slopes: ByDerivatives | None) -> Table:
     names, kinds = dispersion.quantities, [quantity(name) for name in dispersion.quantities]
     columns = [
-        text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        *row_names("quantity", names, [each.label for each in kinds]),
         Column("mean", [dispersion.mean(name) for name in names], kinds),
         Column("spread", [dispersion.spread(name) for name in names], kinds, "±"),
         Column("of_mean_delivery", [dispersion.mean_shot[name] for name in names], kinds, printed=False),
@@ -92,14 +92,14 @@ def _ellipses(dispersion: Dispersion) -> Table:
 
     ellipses = [dispersion.ellipse(share) for share in SHARES]
     columns = (
-        column("share", SHARES, "1", label="landings", unit="%", digits=0),
+        column("share", SHARES, "1", label="share of landings", unit="%", digits=0),
         column("centre_ahead", [float(each.centre[0]) for each in ellipses], "carry", label="centre ahead"),
         column("centre_right", [float(each.centre[1]) for each in ellipses], "side", label="centre right"),
         column("long_axis", [2.0 * float(each.half_axes[0]) for each in ellipses], "carry"),
         column("short_axis", [2.0 * float(each.half_axes[1]) for each in ellipses], "carry"),
-        column("angle", [each.angle for each in ellipses], "rad", label="long axis to line"),
+        column("angle", [each.angle for each in ellipses], "rad", label="long axis from the target line"),
     )
-    return Table("ellipses", columns, "Ellipses that hold a share of the landings")
+    return Table("ellipses", columns, "Landing ellipses")
 
 
 def _strokes(dispersion: Dispersion) -> Table:
@@ -115,28 +115,26 @@ def _strokes(dispersion: Dispersion) -> Table:
     ]
     for name, share in dispersion.lies.items():
         columns.append(column(f"share_{name}", [share], "1", label=f"at rest, {name}", unit="%", digits=0))
-    return Table("strokes", tuple(columns), "Strokes of a tour player on the hole", layout="list")
+    return Table("strokes", tuple(columns), "Expected strokes of a tour player", layout="list")
 
 
 def _shares(indices: Indices) -> Table:
     strongest = np.max(list(indices.share.values()), axis=0)
     order = sorted(range(len(indices.variables)), key=lambda place: -strongest[place])
     sobol = indices.kind == "sobol"
-    columns = [
-        text("variable", [indices.variables[place] for place in order], printed=False),
-        text("what", [variable_label(indices.variables[place]) for place in order], in_files=False),
-    ]
+    names = [indices.variables[place] for place in order]
+    columns = [*row_names("variable", names, [*map(variable_label, names)])]
     for name in indices.share:
         for key, part, label in (
-            ("share", indices.share[name], f"{name} alone" if sobol else name),
-            ("total", indices.total[name], f"{name} in all"),
+            ("share", indices.share[name], f"{name}, first order" if sobol else name),
+            ("total", indices.total[name], f"{name}, total"),
         ):  # fmt: skip
             values = [float(part[place]) for place in order]
             columns.append(
                 column(f"{name}_{key}", values, "1", label=label, unit="%", digits=1, printed=sobol or key == "share")
             )
     kind = "Sobol indices" if sobol else "Shapley effects"
-    return Table("shares", tuple(columns), f"What spreads the shots: {kind}, % of the variance")
+    return Table("shares", tuple(columns), f"Sources of the spread: {kind}, % of the variance")
 
 
 def _summary(dispersion: Dispersion, shares: Indices | None) -> Iterator[Note]:
@@ -188,14 +186,13 @@ def dispersion_picture(
     columns: list[list[Panel | None]] = []
     if flies:
         columns.append([_landings(dispersion, ellipses), None])
-    columns.append(
-        [_histogram(dispersion, name) for name in (("carry", "side") if flies else ("ball_speed", "launch"))]
-    )
+    counted = ("carry", "side") if flies else ("ball_speed", "launch")
+    columns.append([_histogram(dispersion, name) for name in counted])
     if shares is not None:
         bars: list[Panel | None] = [_variance_bars(shares, name) for name in shares.share]
         columns.append([*bars, None][:2])
     return Picture(
-        "dispersion", "Where the balls land, and what spreads them", [list(row) for row in zip(*columns, strict=True)],
+        "dispersion", "Landings, and sources of their spread", [list(row) for row in zip(*columns, strict=True)],
         title=f"{dispersion.golfer.title or dispersion.golfer.name}: {dispersion.count} shots by {dispersion.model}",
         legend=True, widths=[1.25, 1.0, 1.0][: len(columns)], height=4.6,
         footnote=f"Dashed lines: {', '.join(f'{share:.0%}' for share in MARKED)} of the shots are below.",

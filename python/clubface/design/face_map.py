@@ -336,9 +336,8 @@ def map_face(
     if settled.takes_long:
         inside = outline.holds(across, up)
         table = np.full((len(QUANTITIES), across.size), np.nan)
-        table[:, inside] = run_points(
-            settled, across[inside], up[inside], output=output, workers=workers, progress=progress
-        )
+        places = across[inside], up[inside]
+        table[:, inside] = run_points(settled, *places, output=output, workers=workers, progress=progress)
         surface = interpolated_surface(outline, toe, high, table)
     else:
         table = settled.at(across, up, remark=True, progress=progress)

@@ -13,7 +13,7 @@ from clubface.quantities import Quantity, format_number, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.launch import assumptions_of
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.units import fixed
@@ -92,7 +92,7 @@ def _extremes(mapped: Mapped, names: Sequence[str]) -> Table:
                 ends[end].append((None, None, None))
     kinds = [_quantity_with_digits(name, difference) for name in names]
     columns = [
-        text("quantity", names, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        *row_names("quantity", names, [each.label for each in kinds]),
         Column("centre", centre, kinds, "at the centre", difference=difference),
     ]  # fmt: skip
     for end, rows in ends.items():
@@ -123,7 +123,7 @@ def _grid_table(mapped: Mapped, name: str) -> Table:
         _value_column(f"difference_{name}" if difference else name, name, mapped.get(name)[::-1], difference),
         column("toe", toe, printed=False), column("high", high, printed=False),
     )  # fmt: skip
-    title = f"{quantity(name).label} over places towards the toe"
+    title = f"{quantity(name).label} by impact point, from heel to toe"
     return Table(f"map_{name}", columns, title, layout="pivot", shown_rows=rows.ravel().tolist())
 
 
@@ -170,11 +170,10 @@ def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], liste
     kinds, finer = ([_quantity_with_digits(name, more) for _, _, name in rows] for more in (False, True))
     columns = (
         text("club", [club for club, _, _ in rows], printed=len(maps) > 1),
-        text("quantity", [name for _, _, name in rows], printed=False),
-        text("what", [each.label for each in kinds], in_files=False),
+        *row_names("quantity", [name for _, _, name in rows], [each.label for each in kinds]),
         Column("mean", [each.mean[name] for _, each, name in rows], kinds),
         Column("deviation", [each.deviation[name] for _, each, name in rows], finer, "standard deviation"),
-        Column("loss", [each.loss[name] for _, each, name in rows], finer, "lost by scatter", difference=True),
+        Column("loss", [each.loss[name] for _, each, name in rows], finer, "loss from scatter", difference=True),
         *(
             column(name, [getattr(each, name) for _, each, _ in rows], kind, printed=False)
             for name, kind in (("toe", "toe"), ("high", "high"), ("toe_deviation", "m"), ("high_deviation", "m"))
@@ -182,7 +181,7 @@ def _spread_table(maps: Sequence[FaceMap], spreads: Sequence[Forgiveness], liste
         text("missed", [each.missed for _, each, _ in rows], printed=False),
     )  # fmt: skip
     return Table(
-        "scatter", columns, f"Impacts that scatter by {_spread_words(spreads[0])}",
+        "scatter", columns, f"Impacts scattered by {_spread_words(spreads[0])}",
         shown_rows=[place for place, row in enumerate(rows) if row[2] in listed],
     )  # fmt: skip
 
@@ -228,7 +227,7 @@ def face_map_picture(mapped: Mapped, names: Sequence[str] = LISTED) -> Picture:
     title = " less ".join(each.centre.club.name for each in mapped.maps)
     interpolated = "; interpolated" if first.interpolated else ""
     return Picture(
-        "face-map", "Contours on the outline of the face", rows, share_x=True, share_y=True, legend=True,
+        "face-map", "Contours over the face", rows, share_x=True, share_y=True, legend=True,
         title=f"{title}, ball {first.centre.ball.name}, by {first.centre.model}; outline {first.outline.origin}"
         f"{interpolated}",
         height=len(rows) * ((7.2 / columns - 0.9) * float(tall / wide) + 0.42) + 1.0,

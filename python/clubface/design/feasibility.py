@@ -15,7 +15,7 @@ The origin is the face centre, the axes are those of the club: x to the target, 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,16 +26,12 @@ from clubface.quantities import Quantity, Reading
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
-if TYPE_CHECKING:
-    from clubface.equipment.clubs import Club
-
 MASS_PROPERTIES = ("mass", "cg_x", "cg_y", "cg_z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 """Club fields determined by the mass distribution."""
 SHAPES = ("ellipsoid", "box")
 ROUNDING = 1e-9
 """Relative tolerance for rounding in a margin."""
 _PAIRS = ((0, 1), (0, 2), (1, 2))
-
 
 DRIVER_VOLUME = units.to_si(460.0, "cm3")
 DRIVER_WIDTH, IRON_WIDTH = 0.105, 0.07
@@ -137,11 +133,6 @@ class Volume:
         result[:3, :3] = np.diag(0.5 * np.array(self.size))
         result[:3, 3] = self.centre
         return result
-
-    @property
-    def cubic(self) -> float:
-        """Volume [m3]."""
-        return float(np.prod(self.size)) * (np.pi / 6.0 if self.shape == "ellipsoid" else 1.0)
 
 
 SPIRAL = 400

@@ -44,14 +44,13 @@ from clubface.equipment.described import HANDS
 from clubface.errors import InputError, Wording
 from clubface.schema.document import Document, Place, quoted
 from clubface.schema.tables import Table, decode, encode, file_key
-from clubface.schema.values import TEXT, Choice, PhysicalValue, Record, Reference, Tables, Value
+from clubface.schema.values import TEXT, Choice, PhysicalValue, Record, Reference, Tables
 from clubface.shots.plausibility import can_be
-from clubface.simulation.inputs import DELIVERY_QUANTITIES, OF_CLUB, Correlation, Delivery, thread_count
+from clubface.simulation.inputs import OF_CLUB, UNITS, Correlation, Delivery, thread_count
 from clubface.support.arrays import Floats
 from clubface.support.checks import MOST_SEED, Frozen, check_choice, check_count, check_name, check_text, is_number
 from clubface.support.files import builtin_names, is_path, path_of
 from clubface.support.processes import check_request
-from clubface.units import SI_UNITS
 
 MOST_SHOTS = 2**32
 
@@ -70,8 +69,6 @@ def uniform(dimensions: int, count: int, *, seed: int = 0, start: int = 0, threa
     return core.quasi_random(dimensions, count, seed, start, thread_count(threads)).T
 
 
-UNIT = {"speed": "mph", "angle": "deg", "length": "mm", "angular rate": "deg/s"}
-"""Unit for reading and writing each dimension of a delivery."""
 ASSUMED = "assumed"
 """Source of a figure for which none is given."""
 MIRRORED = ("path", "face")
@@ -138,7 +135,7 @@ class Golfer:
     def __repr__(self) -> str:
         lines = [f"{self.name}: {self.title or 'golfer'}, with {self.club}{', left-handed' * (self.hand < 0)}"]
         for name, mean, spread in zip(self.variables, self.mean, self.spread, strict=True):
-            unit = UNIT[OF_CLUB[name]]
+            unit = UNITS[OF_CLUB[name]]
             numbers = (f"{units.from_si(float(each), unit):.4g}" for each in (mean, spread))
             lines.append(f"  {name:<12} {' ± '.join(numbers)} {unit}")
         if self.mishit_share > 0.0:
@@ -309,8 +306,8 @@ def _array(name: str, given: Any, shape: tuple[int, ...]) -> Floats:
     return result
 
 
-@dataclass(frozen=True)
-class DeliveryFigure(Value):
+@dataclass(repr=False, eq=False, kw_only=True)
+class DeliveryFigure(PhysicalValue):
     """Schema of the mean or the spread of one delivery value."""
 
     name: str
@@ -318,25 +315,17 @@ class DeliveryFigure(Value):
 
     def read(self, given: Any, place: Place) -> float:
         """Return the value [SI]; refuse one that no shot can have."""
-        value = DELIVERY_QUANTITIES[self.name].read(given, place)
+        value = super().read(given, place)
         if self.is_spread and value < 0.0:
             raise place.invalid(given, "a standard deviation, which must not be negative")
         # A spread so wide that twice as much is impossible, such as 0.9 rad, was probably meant in another unit.
         if value and not can_be(self.name, 2.0 * value if self.is_spread else value):
-            raise place.invalid(given, f"a plausible value, as text with its unit, such as {UNIT[OF_CLUB[self.name]]}")
+            raise place.invalid(given, f"a plausible value, as text with its unit, such as {UNITS[OF_CLUB[self.name]]}")
         return value
 
     def write(self, value: float) -> str:
         """Return text."""
         return quoted(written(value, self.name))
-
-    def json(self) -> dict[str, Any]:
-        """Return text or a number."""
-        return DELIVERY_QUANTITIES[self.name].json()
-
-    def words(self) -> str:
-        """Return the unit."""
-        return DELIVERY_QUANTITIES[self.name].words()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -358,10 +347,12 @@ class GolferFile:
     club: str = file_key(Reference(os.fspath), "the club that is delivered", default="driver")
     hand: int = file_key(Choice(HANDS), "the hand of the golfer", default=1)
     mean: Mapping[str, float] = file_key(
-        Record({name: DeliveryFigure(name) for name in OF_CLUB}, ("speed",)), "means of the delivery"
+        Record({name: DeliveryFigure(UNITS[each], name=name) for name, each in OF_CLUB.items()}, ("speed",)),
+        "means of the delivery",
     )
     spread: Mapping[str, float] = file_key(
-        Record({name: DeliveryFigure(name, True) for name in OF_CLUB}), "standard deviations from shot to shot"
+        Record({name: DeliveryFigure(UNITS[each], name=name, is_spread=True) for name, each in OF_CLUB.items()}),
+        "standard deviations from shot to shot",
     )
     correlation: tuple[Correlation, ...] = file_key(
         Tables(Table(Correlation)), "correlations of pairs; all others are independent", default=()
@@ -371,12 +362,6 @@ class GolferFile:
         Record({"correlation": TEXT, "mishits": TEXT, "mean": TEXTS, "spread": TEXTS}),
         "source of the figures; default `assumed`", default_factory=dict,
     )  # fmt: skip
-
-
-def read(source: str | os.PathLike[str]) -> Golfer:
-    """Read a shipped golfer by name, or a TOML file."""
-    path = path_of("golfer", source, "golfers")
-    return from_document(Document.read(path), Path(path).stem)
 
 
 def from_document(document: Document, name: str) -> Golfer:
@@ -453,8 +438,7 @@ def to_toml(golfer: Golfer) -> str:
 
 def written(value: float, name: str) -> str:
     """Return a delivery value [SI] as text with its usual unit."""
-    dimension = OF_CLUB[name]
-    unit = UNIT.get(dimension, SI_UNITS[dimension])
+    unit = UNITS[OF_CLUB[name]]
     number = units.from_si(value, unit)
     return f"{0.0 if math.isclose(number, 0.0, abs_tol=1e-14) else number:.12g} {unit}"
 
@@ -489,4 +473,7 @@ def own_club(player: Golfer) -> Club:
 
 def golfer(name: str | os.PathLike[str] | Golfer) -> Golfer:
     """Return the shipped golfer of this name or the one in a TOML file; a :class:`Golfer` is returned as is."""
-    return name if isinstance(name, Golfer) else read(name)
+    if isinstance(name, Golfer):
+        return name
+    path = path_of("golfer", name, "golfers")
+    return from_document(Document.read(path), Path(path).stem)

@@ -13,7 +13,7 @@ from clubface.quantities import Quantity, quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Mark, Panel, Picture, axis
 from clubface.results.result import Provenance, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.impact import impact
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
@@ -91,7 +91,7 @@ def _quantity_with_digits(name: str) -> Quantity:
 def _delivery_table(golfer: Golfer, estimate: Estimate | None) -> Table:
     kinds = [_quantity_with_digits(name) for name in golfer.variables]
     columns = [
-        text("variable", golfer.variables, printed=False), text("what", [each.label for each in kinds], in_files=False),
+        *row_names("variable", golfer.variables, [each.label for each in kinds]),
         Column("mean", golfer.mean.tolist(), kinds), Column("spread", golfer.spread.tolist(), kinds, "±"),
     ]  # fmt: skip
     if estimate is not None:
@@ -106,9 +106,7 @@ def _delivery_table(golfer: Golfer, estimate: Estimate | None) -> Table:
 
 
 def _correlation_tables(golfer: Golfer) -> list[Table]:
-    pairs = [
-        (one, other) for one in range(len(golfer.variables)) for other in range(one) if golfer.covariance[one, other]
-    ]
+    pairs = [(one, other) for one, other in np.argwhere(np.tril(golfer.covariance, -1)).tolist()]
     if not pairs:
         return []
     pairs.sort(key=lambda pair: -abs(golfer.correlation[pair]))
@@ -137,7 +135,7 @@ def _doubt_table(doubts: Doubts) -> Table:
                        printed=False),
             ]  # fmt: skip
         columns.append(column(f"{name}_spread", [now] * len(doubts.figures), "m", printed=False))
-    return Table("doubts", tuple(columns), f"Change of the spread of the landings if a figure is {doubts.off:.0%} off")
+    return Table("doubts", tuple(columns), f"Change of landing spread if a figure is {doubts.off:.0%} off")
 
 
 def _summary(golfer: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> Iterator[Note]:
@@ -189,7 +187,7 @@ def doubts_picture(doubts: Doubts) -> Picture:
     figures = doubts.figures[:MOST_BARS]
     names = [each.figure.replace("_", " ") for each in figures]
     panels: list[Panel | None] = []
-    for name, title in (("carry", "Short and long"), ("side", "Left and right")):
+    for name, title in (("carry", "Carry"), ("side", "Side")):
         marks = [Mark("rule", x=0.0, style=-2)]
         for way, style, place in (("smaller", 6, 0), ("larger", 1, 1)):
             for assumed in (False, True):
@@ -203,6 +201,6 @@ def doubts_picture(doubts: Doubts) -> Picture:
         y = axis(names=names, reversed=True) if not panels else axis(reversed=True, ticks=False)
         panels.append(Panel(marks, axis("change", f"change of the spread of {name}", like="1", unit="%"), y, title))
     return Picture(
-        "doubts", f"How much the spread of the landings changes if a figure is {doubts.off:.0%} smaller or larger",
+        "doubts", f"Change of the landing spread if a figure is {doubts.off:.0%} smaller or larger",
         [panels], height=1.2 + 0.27 * len(figures), legend=True,
     )  # fmt: skip

@@ -40,7 +40,7 @@ from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names
 from clubface.simulation.flight import AirLike, GroundLike, WindLike, check_conditions
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import OF_CLUB
@@ -100,28 +100,23 @@ class LoftFit(Described):
         behind = behind - behind.min() - self.optimum.study.worth[name]
         best = int(np.argmin(behind))
         ends = []
-        for step in (-1, 1):
-            place = best
-            while 0 <= place + step < len(behind) and behind[place + step] < 0.0:
-                place += step
-            if 0 <= place + step < len(behind):
-                part = behind[place] / (behind[place] - behind[place + step])
-                ends.append(float(self.lofts[place] + part * (self.lofts[place + step] - self.lofts[place])))
-            else:
-                ends.append(float(self.lofts[place]))
+        for side in (slice(best, None, -1), slice(best, None)):
+            lofts, losses = self.lofts[side], behind[side]
+            beyond = int(np.argmax(losses >= 0.0))  # the first loft worse by a difference worth a change; 0 for none
+            pair = slice(beyond - 1, beyond + 1)
+            ends.append(float(np.interp(0.0, losses[pair], lofts[pair]) if beyond else lofts[-1]))
         return ends[0], ends[1]
 
     @cached_property
     def advice(self) -> Advice:
         """Advice on the present loft and the best loft for each objective."""
         names = [f"present {units.fixed(self.present, 'deg', 1)} of dynamic loft"]
-        names += [self._words(club) for club in list(self.optimum.compared.values())[1:]]
+        clubs = list(self.optimum.compared.values())
+        names += [self._words(club) for club in clubs[1:]]
         study = self.optimum.study
         varies = any(each.spread.any() for each, _ in study.golfers)
         conditions = study.describe_conditions(self.optimum.fresh.shots if varies else 1)
-        ends = tuple(
-            place for place, club in enumerate(self.optimum.compared.values()) if place and self.is_at_an_end(club)
-        )
+        ends = tuple(place for place, club in enumerate(clubs) if place and self.is_at_an_end(club))
         return replace(self.optimum.advice, names=tuple(names), conditions=conditions, at_an_end=ends)
 
     def is_at_an_end(self, club: str) -> bool:
@@ -244,15 +239,14 @@ def _lofts_table(fitted: LoftFit) -> Table:
     judges = fitted.objectives
     flat = [fitted.flat(each.name) for each in judges]
     columns = (
-        text("objective", [each.name for each in judges], printed=False),
-        text("what counts", [each.quantity.label for each in judges], in_files=False),
+        *row_names("objective", [each.name for each in judges], [each.quantity.label for each in judges]),
         column("loft", [fitted.best(each.name) for each in judges], "loft", label="best loft"),
-        column("flat_from_loft", [low for low, _ in flat], "loft", label="flat from"),
+        column("flat_from_loft", [low for low, _ in flat], "loft", label="as good from"),
         column("flat_to_loft", [high for _, high in flat], "loft", label="to"),
         Column("worth", [fitted.advice.worth[each.name] for each in judges], [each.quantity for each in judges],
                "within"),
     )  # fmt: skip
-    return Table("lofts", columns, "Dynamic loft, by what counts")
+    return Table("lofts", columns, "Best dynamic loft by objective")
 
 
 def _flat_notes(fitted: LoftFit) -> Iterator[Note]:
@@ -274,7 +268,7 @@ def _curve_table(fitted: LoftFit) -> Table:
         *(Column(judge.name, [float(each) for each in fitted.values[:, place]], judge.quantity)
           for place, judge in enumerate(fitted.objectives)),
     )  # fmt: skip
-    return Table("curve", columns, "What loft is worth", printed=False)
+    return Table("curve", columns, "Objectives over dynamic loft", printed=False)
 
 
 def loft_fit_picture(fitted: LoftFit) -> Picture:
@@ -287,9 +281,9 @@ def loft_fit_picture(fitted: LoftFit) -> Picture:
         marks.append(Mark("line", fitted.lofts, gain, style=style, label=f"{short_label(judge)}, {judge.show(worth)}"))
     panel = Panel(
         marks, axis("loft", quantity("loft").label), Axis(WORTHS, limits=(-4.0, 4.0)),
-        "Gain on the present loft (dashed); between -1 and 1 it is not worth a change", legend=True,
+        "Gain over the present loft (dashed); from -1 to 1 it is not worth a change", legend=True,
     )  # fmt: skip
-    return Picture("loft-fit", "What each loft gains on the present one, by what counts", [[panel]], height=3.6)
+    return Picture("loft-fit", "Gain of each loft over the present one, by objective", [[panel]], height=3.6)
 
 
 def player_loft_notes(club: ClubStatistics) -> Iterator[Note]:

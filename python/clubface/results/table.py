@@ -260,6 +260,11 @@ def text(name: str, values: Sequence[Any], **options: Any) -> Column:
     return Column(name, _sequence(values), None, **options)
 
 
+def row_names(name: str, names: Sequence[str], labels: Sequence[str]) -> tuple[Column, Column]:
+    """Return the names of the rows for files, and their labels for print, both as the column ``name``."""
+    return text(name, names, printed=False), text(f"{name} in words", labels, label=name, in_files=False)
+
+
 def _like(name: str, like: str) -> Quantity:
     if like in units.SI_UNITS.values():
         return quantity_named(name, like)

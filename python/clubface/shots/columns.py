@@ -48,9 +48,7 @@ class Columns(NamedTuple):
     used: Mapping[str, tuple[FileColumn, ...]]  # by quantity; several if a heading occurs more than once
     texts: Mapping[str, tuple[int, ...]]  # "club" (the preferred first), "player", "hand", "date", "file"
     points: Mapping[str, int]  # columns that give the point on the club where its data was taken
-    labels: Mapping[
-        int, str
-    ]  # text columns in which a summary row may identify itself: "club", "player", or the heading
+    labels: Mapping[int, str]  # text columns where a summary row may name itself: "club", "player", or the heading
     others: tuple[int, ...]  # all remaining columns, except shot numbers
     counted: tuple[int, ...]  # columns whose values are counted in a note
     unused: tuple[str, ...]  # headings that would give a quantity if their brackets held a unit
@@ -117,9 +115,8 @@ def columns_of(
         side = side_of(quantity, each.positive if each.positive in SIDES.get(quantity, {}) else field.positive)
         if quantity == "toe" and each.name in UNSIGNED and not (each.positive or field.positive):
             remarks.append(note("toe-unsigned", column=shortened(shown, 40)))
-        used.setdefault(quantity, []).append(
-            FileColumn(position, shown, quantity, symbol, side, named is not None, is_assumed)
-        )
+        column = FileColumn(position, shown, quantity, symbol, side, named is not None, is_assumed)
+        used.setdefault(quantity, []).append(column)
     if without_unit:
         raise missing_units(without_unit, *place, {name: dimension_of(name) for _, name in without_unit})
     if not used and remarks:

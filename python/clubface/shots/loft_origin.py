@@ -100,9 +100,8 @@ def loft_origins(shots: RecordedShots) -> tuple[LoftOrigin, ...]:
     for club, file in dict.fromkeys(zip(clubs, files, strict=True)):
         chosen = (clubs == club) & (files == file)
         both = [_angles(shots, chosen, with_face=each) for each in (True, False)]
-        if known := [
-            each for each in both if each is not None
-        ]:  # prefer the analysis with the face angle unless the other is more decisive
+        if known := [each for each in both if each is not None]:
+            # The analysis with the face angle is preferred unless the other is more decisive.
             best = min(known, key=lambda each: (ORIGINS.index(each.origin), not each.with_face))
             origins.append(best._replace(club=str(club), file=str(file)))
     return tuple(origins)
@@ -192,11 +191,8 @@ def _decide_origin(across: Floats, rolling: Floats, rounding: float, with_face: 
 
 def _ratio(sines: Floats, rolling: Floats) -> float:
     """Return the ratio of rolling to sines with the smallest absolute deviations of the sines: a weighted median."""
-    each, weights = sines / rolling, np.abs(rolling)
-    order = np.argsort(each)
-    sums = np.cumsum(weights[order])
-    middle = each[order][int(np.searchsorted(sums, 0.5 * sums[-1]))]
-    return 1.0 / float(middle) if middle != 0.0 else 0.0
+    middle = float(np.quantile(sines / rolling, 0.5, weights=np.abs(rolling), method="inverted_cdf"))
+    return 1.0 / middle if middle != 0.0 else 0.0
 
 
 def _step(values: Floats, steps: Iterable[float], unit: str) -> float:

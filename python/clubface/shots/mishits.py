@@ -108,9 +108,7 @@ def find_mishits(values: Mapping[str, Floats]) -> list[Mishit]:
 
 def is_mishit(mishits: list[Mishit], count: int) -> NDArray[np.bool_]:
     """Return the mask, of length ``count``, of the shots among ``mishits``."""
-    mask = np.zeros(count, dtype=np.bool_)
-    mask[[each.place for each in mishits]] = True
-    return mask
+    return np.isin(np.arange(count), [each.place for each in mishits])
 
 
 def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statistic | None:

@@ -73,16 +73,12 @@ class Session:
     rejected: list[RejectedRow] = field(default_factory=list)
     summaries: int = 0  # number of rows of averages and the like, which are left out
     without_club: int = 0  # number of shots without measured club data
-    counts: dict[str, Counter[str]] = field(
-        default_factory=dict
-    )  # counts of values in the columns summarised in a note
+    counts: dict[str, Counter[str]] = field(default_factory=dict)  # counts of values in columns listed in a note
     assumed: dict[str, str] = field(default_factory=dict)  # assumed units by heading
     unused: dict[str, None] = field(default_factory=dict)  # headings not used because their brackets hold words
     remarks: dict[Note, None] = field(default_factory=dict)  # other remarks on the columns
     unread: dict[str, None] = field(default_factory=dict)  # headings of numeric columns without a known quantity
-    unreadable: dict[str, tuple[int, str]] = field(
-        default_factory=dict
-    )  # number of cells that are not numbers, and an example, by heading
+    unreadable: dict[str, tuple[int, str]] = field(default_factory=dict)  # cells without number: count and example
     points: dict[str, str] = field(default_factory=dict)  # reference points of club data, from columns
     units: dict[str, FileColumn] = field(default_factory=dict)  # the first column of each quantity
     header_line: int | None = None  # line of the first header

@@ -77,9 +77,7 @@ PUTTED = 12.0
 def can_be(name: str, values: Any) -> Any:
     """Return whether values [SI] of a quantity are possible in a golf shot; NaN counts as possible."""
     low, high = RANGES.get(name, (-math.inf, math.inf))
-    return (
-        ~((values < low) | (values > high)) if isinstance(values, np.ndarray) else not (values < low or values > high)
-    )
+    return ((values >= low) & (values <= high)) | (values != values)
 
 
 def within_turn(name: str, values: Any) -> Any:

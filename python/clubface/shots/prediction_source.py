@@ -70,9 +70,8 @@ def open_source(
         recorded = read(path, hand=hand, **reading)
         ready = ready_shots(recorded, club=club, **choice)
         table = MonitorTable(path, recorded, ready)
-        return Source(
-            table, table.columns, chunks=table.chunks, **_ready_fields(table.path, table.columns, recorded, ready)
-        )
+        fields = _ready_fields(table.path, table.columns, recorded, ready)
+        return Source(table, table.columns, chunks=table.chunks, **fields)
     reader = open_table(path)
     try:
         place = (reader.path, reader.header_line)

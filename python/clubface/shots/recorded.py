@@ -291,9 +291,7 @@ def _floats(given: Mapping[str, Any], known: Any, count: int) -> dict[str, Float
 
 def _texts(given: Any) -> NDArray[Any]:
     """Return names, with "" for missing ones."""
-    missing = (
-        np.ma.getmaskarray(given) if isinstance(given, np.ma.MaskedArray) else np.zeros(np.shape(given), dtype=bool)
-    )
+    missing = np.ma.getmaskarray(given)
     names = np.array(np.ma.getdata(given), dtype=object)
     if missing.any() or set(map(type, names.ravel())) != {str}:
         names[[bool(gone) or is_missing(each) for each, gone in zip(names, missing, strict=True)]] = ""
@@ -302,9 +300,8 @@ def _texts(given: Any) -> NDArray[Any]:
 
 def _of_length(values: NDArray[Any], name: str, count: int) -> NDArray[Any]:
     if values.shape != (count,):
-        raise InputError(
-            name, Wording(f"an array of shape {values.shape}"), f"one with an element for each shot: ({count},)"
-        )
+        shape = Wording(f"an array of shape {values.shape}")
+        raise InputError(name, shape, f"one with an element for each shot: ({count},)")
     return values
 
 

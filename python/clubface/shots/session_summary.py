@@ -16,7 +16,7 @@ from clubface.quantities import quantity
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Provenance, Result
-from clubface.results.table import Column, Table, column, table, text
+from clubface.results.table import Column, Table, column, row_names, table, text
 from clubface.shots.club_names import same_club
 from clubface.shots.mishits import Mishit, Statistic, find_mishits, is_mishit, statistic
 from clubface.shots.recorded import RecordedShots
@@ -191,11 +191,10 @@ def mishits_table(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Table:
         None if shots.files is None else text("file", [str(shots.files[each.place]) for _, each in rows]),
         text("player", [club.player for club, _ in rows], printed=any(club.player for club, _ in rows)),
         text("club", [club.club for club, _ in rows], printed=any(club.club for club, _ in rows)),
-        text("quantity", [each.quantity for _, each in rows], printed=False),
-        text("reason", [each.label for each in off], label="far off", in_files=False),
+        *row_names("quantity", [each.quantity for _, each in rows], [each.label for each in off]),
         Column("value", [each.value for _, each in rows], off),
         Column("median", [each.median for _, each in rows], off),
-        title="Mishits, which are in no median, spread or gap",
+        title="Mishits, excluded from medians, spreads and gaps",
     )  # fmt: skip
 
 
@@ -252,9 +251,9 @@ def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Pictu
     panels = [Panel(carries, club_axis, carry_axis, "median carry, spread, and gap to the next club")]
     if len(landings) > 1:
         panels.insert(0, Panel(landings, axis("side", "side, to the right"), carry_axis,
-                               "landings, one standard deviation"))  # fmt: skip
+                               "landings, with one-standard-deviation ellipses"))  # fmt: skip
     footnote = "grey crosses: mishits, not counted" if any(each.mishits for each in drawn) else ""
-    return Picture("session", "Where the shots of each club land, and how far the clubs carry", [panels], height=4.4,
+    return Picture("session", "Landings and carry by club", [panels], height=4.4,
                    share_y=True, footnote=footnote)  # fmt: skip
 
 

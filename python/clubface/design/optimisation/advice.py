@@ -31,7 +31,7 @@ from clubface.errors import InputError
 from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, axis
-from clubface.results.table import Column, Table, text
+from clubface.results.table import Column, Table, row_names, text
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
 
@@ -134,10 +134,9 @@ class AdvisedStudy:
 
     def samples(self, shots: int, seed: int) -> list[tuple[dict[str, Floats], float]]:
         """Return deliveries with the present club and weight of every golfer."""
-        hand, threads = self.present.hand, self.setting.threads or None
-        return [
-            (each.for_hand(hand).sample(shots, seed=seed, threads=threads), weight) for each, weight in self.golfers
-        ]
+        golfers = [(each.for_hand(self.present.hand), weight) for each, weight in self.golfers]
+        threads = self.setting.threads or None
+        return [(each.sample(shots, seed=seed, threads=threads), weight) for each, weight in golfers]
 
     def describe_conditions(self, shots: int) -> str:
         """Return a description of the number of shots, the model and the hole."""
@@ -329,7 +328,7 @@ _SHORT = {
 }  # fmt: skip
 _LINE_LENGTH = 36
 """Maximum number of characters per line of an alternative's name in a picture."""
-WORTHS = Quantity("worth", "1", Reading("1", 1), Reading("1", 1), "gain, in differences worth a change")
+WORTHS = Quantity("worth", "1", Reading("1", 1), Reading("1", 1), "gain over the smallest worthwhile difference")
 
 
 def short_label(judge: Objective) -> str:
@@ -417,8 +416,9 @@ def advice_notes(advice: Advice) -> Iterator[Note]:
     """Yield the notes below the tables."""
     sizes = [f"{short_label(each)} {each.show(advice.worth[each.name])}" for each in advice.objectives]
     yield note("advice-worth", sizes=sizes)
-    yield note("advice-errors" if advice.sets.std(axis=1).any() else "advice-single-delivery")
-    if advice.sets.std(axis=1).any():
+    varies = advice.sets.std(axis=1).any()
+    yield note("advice-errors" if varies else "advice-single-delivery")
+    if varies:
         yield note("advice-mishits")
     if advice.assumed_hole:
         yield note("advice-hole-assumed", hole=ASSUMED_HOLE.describe())
@@ -439,7 +439,7 @@ def advice_tables(
 def _objective_table(advice: Advice) -> Table:
     """Return for each objective its best alternative, the gain, whether that is worth a change, and the price.
 
-    It holds the same values as the sentence on what each objective alone would choose.
+    It holds the same values as the sentence on the best alternative by objective.
     """
     judges = advice.objectives
     kinds = [each.quantity for each in judges]
@@ -447,17 +447,16 @@ def _objective_table(advice: Advice) -> Table:
     words = [{BETTER: "change", OPEN: "not certain"}.get(advice.state(*pair), "keep") for pair in pairs]
     prices = [", ".join(losses_in_words(advice, *pair)) for pair in pairs]
     columns = (
-        text("objective", [each.name for each in judges], printed=False),
-        text("what counts", [each.label for each in kinds], in_files=False),
-        text("advice", words, label="alone"),
+        *row_names("objective", [each.name for each in judges], [each.label for each in kinds]),
+        text("advice", words),
         Column("present", [float(each) for each in advice.values[0]], kinds),
-        Column("gain", [advice.gain(*pair) for pair in pairs], kinds, "to gain", difference=True),
+        Column("gain", [advice.gain(*pair) for pair in pairs], kinds, difference=True),
         Column("error", [advice.error(*pair) for pair in pairs], kinds, "±"),
         Column("worth", [advice.worth[each.name] for each in judges], kinds, "worth a change"),
-        text("best", [advice.names[place] for _, place in pairs], label="with"),
-        text("price", prices, label="at the price of", printed=any(prices)),
+        text("best", [advice.names[place] for _, place in pairs], label="best alternative"),
+        text("price", prices, label="costs", printed=any(prices)),
     )
-    return Table("advice", columns, "What each objective alone would choose")
+    return Table("advice", columns, "Best alternative by objective")
 
 
 def _alternatives_table(advice: Advice, fields: Sequence[Column], shown: Sequence[int]) -> Table:
@@ -465,12 +464,12 @@ def _alternatives_table(advice: Advice, fields: Sequence[Column], shown: Sequenc
     ranks = advice.ranks(every)
     columns = (
         text("alternative", advice.names),
-        text("place", [ranks[place] for place in every]),
+        text("place", [ranks[place] for place in every], label="rank"),
         *fields,
         *(Column(judge.name, [float(each) for each in advice.values[:, column]], judge.quantity)
           for column, judge in enumerate(advice.objectives)),
     )  # fmt: skip
-    title = f"Alternatives; those of one place do not differ in {short_label(advice.objectives[0])}"
+    title = f"Alternatives, ranked by {short_label(advice.objectives[0])}; equal ranks are ties"
     return Table("alternatives", columns, title, shown_rows=shown)
 
 
@@ -517,5 +516,5 @@ def gains_panel(advice: Advice, rows: int) -> Panel:
     names = ["\n".join(textwrap.wrap(advice.names[place], _LINE_LENGTH)) for place in places]
     return Panel(
         marks, Axis(WORTHS), axis(names=names, reversed=True, limits=(len(places) - 0.4, -0.6)),
-        f"Gain on the {advice.names[0]}; within the grey it is not worth a change", legend=True,
+        f"Gain over the {advice.names[0]}; the grey band is not worth a change", legend=True,
     )  # fmt: skip

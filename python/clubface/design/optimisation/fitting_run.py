@@ -25,7 +25,7 @@ from clubface.jobs.store import Finished, store_for
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Picture
 from clubface.results.result import Described, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.shots.tables.writer import csv_lines
 
 STARTS = 3
@@ -380,7 +380,7 @@ def combinations_table(fitting: Fitting, combinations: Sequence[Combination]) ->
                  "rad" if name in ("loft", "lie") else "m", printed=False) for name in changes),
         Column(first.name, [each.value for each in combinations], first.quantity),
         Column("against_the_best", [each.value - best for each in combinations], first.quantity,
-               "against the best", difference=True),
+               "difference from the best", difference=True),
         Column("error", [each.error for each in combinations], first.quantity, "±"),
         *(Column(judge.name, [each.others[judge.name] for each in combinations], judge.quantity) for judge in others),
     ]  # fmt: skip
@@ -391,14 +391,13 @@ def _effects_table(fitted: Fitted) -> Table:
     kinds = [fitted.fitting.judge(each.objective).quantity for each in fitted.effects]
     columns = (
         text("part", [each.part for each in fitted.effects]),
-        text("objective", [each.objective for each in fitted.effects], printed=False),
-        text("what counts", [each.label for each in kinds], in_files=False),
-        Column("difference", [each.difference for each in fitted.effects], kinds, "greatest difference"),
+        *row_names("objective", [each.objective for each in fitted.effects], [each.label for each in kinds]),
+        Column("difference", [each.difference for each in fitted.effects], kinds, "largest difference"),
         Column("error", [each.error for each in fitted.effects], kinds, "±"),
         Column("worth", [fitted.advice.worth[each.objective] for each in fitted.effects], kinds, "worth a change"),
         text("matters", [each.matters for each in fitted.effects]),
     )
-    return Table("effects", columns, "Which parts matter, all else being equal")
+    return Table("effects", columns, "Effect of each part, all else being equal")
 
 
 def _part_notes(fitted: Fitted) -> Iterator[Note]:
@@ -434,7 +433,7 @@ def fitting_picture(fitted: Fitted) -> Picture:
     if len(advice.names) == 1:
         return fitting_landings_picture(fitted)
     rows = min(len(advice.names) - 1, BARS)
-    caption = "What each alternative gains on the present club"
+    caption = "Gain of each alternative over the present club"
     return Picture("fitting", caption, [[advising.gains_panel(advice, BARS)]], height=1.3 + 0.5 * rows)
 
 

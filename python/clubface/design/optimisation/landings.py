@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from clubface import _core as core, units
 from clubface.design.feasibility import MASS_PROPERTIES
 from clubface.design.strokes import Hole, expected
+from clubface.equipment.balls import Ball
+from clubface.equipment.clubs import Club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.errors import InputError
 from clubface.quantities import Quantity, Reading, format_value
@@ -24,11 +26,6 @@ from clubface.simulation.inputs import broadcast, equipped, shots
 from clubface.simulation.results import flight_inputs, flight_outputs, input_columns, outputs
 from clubface.support.arrays import Floats
 from clubface.support.checks import check_choice
-
-if TYPE_CHECKING:
-    from clubface.equipment.balls import Ball
-    from clubface.equipment.clubs import Club
-
 
 SPEED_EXPONENT = 0.18
 """Exponent with which clubhead speed falls with head mass: 26 g more, from 174 to 200 g, cost golfers with about 110
@@ -77,10 +74,6 @@ class Slopes:
         by_launch = np.einsum("on,oin->in", weights, self._flight)
         return np.einsum("in,ijn->j", by_launch, self._launch)
 
-    def each(self) -> Floats:
-        """Return the derivatives of each landing, shape (landings, variables, shots)."""
-        return np.einsum("oin,ijn->ojn", self._flight, self._launch)
-
 
 class Landings:
     """The shots of one golfer with clubs that differ from a base club in some fields.
@@ -104,9 +97,7 @@ class Landings:
         if not good.any():
             name, message = problems[0][1:]
             raise InputError("golfer", name, f"one whose shots can be computed: {message}")
-        self._columns = [
-            each if isinstance(each, float) else np.ascontiguousarray(each[good]) for each in setup.columns
-        ]
+        self._columns = [each if isinstance(each, float) else each[good] for each in setup.columns]
         self._own = parameters
         self.kept = np.flatnonzero(good)
         self.count = len(self.kept)
@@ -123,9 +114,8 @@ class Landings:
                 columns[place["lie"]] = columns[place["lie"]] + value
             elif name == "mass":
                 columns[place["club_mass"]] = value
-                columns[place["speed"]] = (
-                    columns[place["speed"]] * (value / self.base.mass) ** -self.setting.speed_exponent
-                )
+                slower = (value / self.base.mass) ** -self.setting.speed_exponent
+                columns[place["speed"]] = columns[place["speed"]] * slower
             else:
                 columns[place[name]] = value
         return columns
@@ -199,7 +189,7 @@ FINE, ROUGH = 1e-8, 1e-6
 """Relative precision of smooth objectives, apart from noise of 1e-9 from flight steps, and of those with kinks: strokes
 are piecewise linear in distance, and a bouncing ball may begin to slide."""
 
-Judged = tuple[float, "Floats"]
+Judgement = tuple[float, Floats]
 """A value and its derivatives with respect to every landing, in the shape of the landings."""
 
 
@@ -215,7 +205,7 @@ class Objective(NamedTuple):
     meaning: str
     unit: str
     sign: float
-    judge: Callable[[Floats], Judged]
+    judge: Callable[[Floats], Judgement]
     one_shot: bool
     precision: float = FINE
 
@@ -236,10 +226,10 @@ _HEADINGS = {"side_spread": "side ±", "ellipse": "90% ellipse"}
 """Headings of objectives whose names are not readable."""
 
 
-def _mean_of(row: int) -> Callable[[Floats], Judged]:
+def _mean_of(row: int) -> Callable[[Floats], Judgement]:
     """Return the judge of the mean of a row of ``LANDING``."""
 
-    def judge(landed: Floats) -> Judged:
+    def judge(landed: Floats) -> Judgement:
         weights = np.zeros_like(landed)
         weights[row] = 1.0 / landed.shape[1]
         return float(landed[row].mean()), weights
@@ -247,7 +237,7 @@ def _mean_of(row: int) -> Callable[[Floats], Judged]:
     return judge
 
 
-def side_spread(landed: Floats) -> Judged:
+def side_spread(landed: Floats) -> Judgement:
     """Return the standard deviation of the side [m] with derivatives; 0 for a single shot."""
     weights, deviation = np.zeros_like(landed), landed[1] - landed[1].mean()
     spread = math.sqrt(float(np.mean(deviation**2)))
@@ -256,7 +246,7 @@ def side_spread(landed: Floats) -> Judged:
     return spread, weights
 
 
-def ellipse(landed: Floats) -> Judged:
+def ellipse(landed: Floats) -> Judgement:
     """Return the area [m2], with derivatives, of the ellipse containing ``SHARE`` of normally distributed shots.
 
     For the covariance C of distance along the target line and side, it is pi q sqrt(det C), where q is the quantile of
@@ -300,7 +290,7 @@ _STEP = 1e-3
 def strokes(hole: Hole) -> Objective:
     """Return the objective of the strokes expected after the shot, from where balls come to rest on a hole."""
 
-    def judge(landed: Floats) -> Judged:
+    def judge(landed: Floats) -> Judgement:
         total, side = landed[2], landed[3]
         ahead = np.sqrt(np.maximum(total**2 - side**2, 1e-12))
         value, by_ahead, by_side = _strokes_with_derivatives(hole, ahead, side)

@@ -27,7 +27,7 @@ from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Provenance, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.impact import impact
 from clubface.simulation.provenance import flight_conditions, provenance_of
 from clubface.support.arrays import Floats
@@ -188,8 +188,12 @@ class Optimum(Described):
 
     @cached_property
     def built(self) -> Club:
-        """The optimum as a club."""
-        return club_of(self.study, self.club)
+        """The optimum as a club; the lie is left out, since club files have none."""
+        start, title = self.study.club, self.study.title
+        own = {name: value for name, value in self.club.items() if name != "lie"}
+        with without_warnings(RuleWarning):
+            made = start.replace(**own, name=f"{start.name}-optimum", description=f"{title}: the optimum")
+            return made.replace(sources={**made.sources, **dict.fromkeys(own, f"optimised from {start.name}: {title}")})
 
     @cached_property
     def compared(self) -> dict[str, str]:
@@ -277,16 +281,6 @@ class Optimum(Described):
         return result
 
 
-def club_of(study: DesignStudy, changes: Mapping[str, float], name: str | None = None) -> Club:
-    """Return the study's club with changed fields; the lie is left out, since club files have none."""
-    own = {field: value for field, value in changes.items() if field in UNITS and field != "lie"}
-    called = name or f"{study.club.name}-optimum"
-    source = f"optimised from {study.club.name}: {study.title}"
-    with without_warnings(RuleWarning):
-        made = study.club.replace(**own, name=called, description=f"{study.title}: the optimum")
-        return made.replace(sources={**made.sources, **dict.fromkeys(own, source)})
-
-
 def _rule_verdict(each: RuleVerdict, tolerance: bool) -> Verdict:
     limit = each.rule.limit if tolerance else each.rule.most
     quantity = shown_quantity(each.rule.name, each.rule.unit)
@@ -343,8 +337,8 @@ def _club_table(optimum: Optimum) -> Table:
         *(Column(club if club in ("start", "nominal", "optimum") else f"best_for_{club}",
                  [optimum.fields(club).get(name) for name in optimum.club], kinds, labels.get(club, ""), digits=-4)
           for club in optimum.fresh.clubs),
-        Column("least", [low for low, _ in bounds], kinds, "least allowed", digits=-4),
-        Column("most", [high for _, high in bounds], kinds, "most allowed", digits=-4),
+        Column("least", [low for low, _ in bounds], kinds, "lower bound", digits=-4),
+        Column("most", [high for _, high in bounds], kinds, "upper bound", digits=-4),
     )  # fmt: skip
     return Table("club", columns)
 
@@ -356,20 +350,22 @@ def _fresh_table(optimum: Optimum) -> Table:
     values = {club: [optimum.fresh.value(club, each.name) for each in judges] for club in CLUBS}
     labels = {"start": "start", "nominal": "best for the mean delivery", "optimum": "optimum"}
     columns = [
-        text("objective", [each.name for each in judges], printed=False),
-        text("what", [each.label for each in kinds], in_files=False),
+        *row_names("objective", [each.name for each in judges], [each.label for each in kinds]),
         *(Column(club, each, kinds, labels[club]) for club, each in values.items()),
     ]
     for club in CLUBS[:2]:
         gains = [best - other for best, other in zip(values["optimum"], values[club], strict=True)]
         errors = [optimum.fresh.error(club, each.name) for each in judges]
         columns += [
-            Column(f"gain_on_{club}", gains, kinds, f"against {labels[club]}", difference=True),
+            Column(f"gain_on_{club}", gains, kinds, f"change from {labels[club]}", difference=True),
             Column(f"error_of_gain_on_{club}", errors, kinds, "±"),
         ]
     solved = [optimum.judged.get(each.name) for each in judges]
     return Table(
-        "fresh", (*columns, Column("on_solved_shots", solved, kinds, printed=False)), "On fresh shots", printed=False
+        "fresh",
+        (*columns, Column("on_solved_shots", solved, kinds, printed=False)),
+        "Objectives on fresh shots",
+        printed=False,
     )
 
 
@@ -407,16 +403,14 @@ def placement_table(masses: Sequence[Any]) -> Table:
         ),
     )
     return Table(
-        "placement", columns, "One way to place the discretionary mass, seen from the face centre",
+        "placement", columns, "One placement of the discretionary mass, relative to the face centre",
         shown_rows=[place for place, each in enumerate(sums) if each >= LEAST_PRINTED_MASS],
     )  # fmt: skip
 
 
 def _front_table(optimum: Optimum) -> Table:
     judges = [optimum.study.objective(name) for name in optimum.study.objectives]
-    columns = [
-        Column(each.name, [point.values[each.name] for point in optimum.front], each.quantity) for each in judges
-    ]
+    columns = [Column(each.name, [one.values[each.name] for one in optimum.front], each.quantity) for each in judges]
     columns += [Column(name, [point.club[name] for point in optimum.front], field_quantity(name), digits=-4)
                 for name in optimum.club]  # fmt: skip
     return Table("front", tuple(columns), "Pareto front")
@@ -444,19 +438,14 @@ def _summary(optimum: Optimum) -> Iterator[Note]:
             if before != after:
                 yield note("optimum-change", meaning=meaning, before=before, after=after)
     if angles := [name for name in ("loft", "lie") if name in optimum.club and name in optimum.study.bounds]:
-        yield note(
-            "optimum-angles", angles=[f"a {name} of {units.fixed(optimum.club[name], 'deg', 1)}" for name in angles]
-        )
+        words = [f"a {name} of {units.fixed(optimum.club[name], 'deg', 1)}" for name in angles]
+        yield note("optimum-angles", angles=words)
 
 
 def _notes(optimum: Optimum) -> Iterator[Note]:
     study = optimum.study
-    yield note(
-        "optimum-starts",
-        alike=optimum.alike,
-        starts=optimum.starts,
-        meaning=study.objective(study.objectives[0]).meaning,
-    )
+    meaning = study.objective(study.purpose).meaning
+    yield note("optimum-starts", alike=optimum.alike, starts=optimum.starts, meaning=meaning)
     yield note("optimum-shots", shots=optimum.shots, fresh=optimum.fresh.shots)
     if optimum.missed:
         yield note("optimum-missed", missed=optimum.missed)
@@ -510,7 +499,7 @@ def optimum_picture(optimum: Optimum) -> Picture:
     elif any(name in optimum.study.bounds for name in optimum.club):
         panels.append(_bounds_panel(optimum))
     return Picture(
-        "optimum", "Landings with the club at the start and with the optimum, and what changed", [panels],
+        "optimum", "Landings with the starting club and with the optimum, and the changes", [panels],
         widths=[1.0, 1.2][: len(panels)], height=3.4,
     )  # fmt: skip
 
@@ -533,7 +522,7 @@ def landings_panel(landed: Mapping[str, Floats]) -> Panel:
     return Panel(
         marks, axis("side", "side, right is positive", limits=(float(left), float(right))),
         axis("carry", "distance down the line", limits=(float(low), float(high))),
-        f"Landings, with the ellipses of {SHARE:.0%}", equal=True, legend=True,
+        f"Landings, with {SHARE:.0%} ellipses", equal=True, legend=True,
     )  # fmt: skip
 
 
@@ -575,5 +564,5 @@ def _bounds_panel(optimum: Optimum) -> Panel:
         ]
     labels = [f"{name}\n{units.show_range(*bounds[name], UNITS[name])}" for name in names]
     y = axis(names=labels, reversed=True, limits=(len(names) - 0.4, -0.6))
-    title = "Place between the least and the most that is allowed"
+    title = "Position within the bounds"
     return Panel(marks, axis(ticks=False), y, title, legend=True, grid=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,11 +13,9 @@ from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, Envelope, of_club, pseudo_inertia, pseudo_inertia_derivatives
 from clubface.design.optimisation.landings import Landings, Objective
 from clubface.design.optimisation.variables import Variables
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, Wording
 from clubface.support.arrays import Floats
-
-if TYPE_CHECKING:
-    from clubface.equipment.clubs import Club
 
 REMEMBERED = 4
 """Number of points cached: an optimiser asks for objective, limits and gradients one after another."""

@@ -31,7 +31,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -495,26 +495,20 @@ def content(study: DesignStudy | Fitting) -> dict[str, Any]:
     return {**values, "golfers": [(each.content(), weight) for each, weight in study.golfers]}
 
 
-S = TypeVar("S")
-
-
 def design_study(given: DesignStudy | str | os.PathLike[str]) -> DesignStudy:
     """Return a study, given as such or as a file; raise an :class:`InputError` for a fitting file."""
-    wanted = "a study with variables; fit takes a fitting, which has a table [fit]"
-    return _read_as(DesignStudy, given, "study", wanted)
+    study = given if isinstance(given, (DesignStudy, Fitting)) else read(given)
+    if isinstance(study, Fitting):
+        raise InputError("study", given, "a study with variables; fit takes a fitting, which has a table [fit]")
+    return study
 
 
 def fitting(given: Fitting | str | os.PathLike[str]) -> Fitting:
     """Return a fitting, given as such or as a file; raise an :class:`InputError` for a study file."""
-    wanted = "one with a table [fit]; optimise takes a study, which has variables"
-    return _read_as(Fitting, given, "fitting", wanted)
-
-
-def _read_as(kind: type[S], given: Any, name: str, wanted: str) -> S:
-    result = given if isinstance(given, (DesignStudy, Fitting)) else read(given)
-    if not isinstance(result, kind):
-        raise InputError(name, given, wanted)
-    return result
+    subject = given if isinstance(given, (DesignStudy, Fitting)) else read(given)
+    if isinstance(subject, DesignStudy):
+        raise InputError("fitting", given, "one with a table [fit]; optimise takes a study, which has variables")
+    return subject
 
 
 def from_text(text: str) -> DesignStudy | Fitting:

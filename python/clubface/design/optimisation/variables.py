@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,29 +23,25 @@ from clubface import units
 from clubface.design.feasibility import (
     MASS_PROPERTIES,
     Envelope,
+    Volume,
     mass_properties,
     of_club,
     pseudo_inertia,
     pseudo_inertia_derivatives,
 )
 from clubface.design.optimisation.landings import own_value
+from clubface.equipment.clubs import Club
 from clubface.errors import InputError, RuleWarning
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
-
-if TYPE_CHECKING:
-    from clubface.design.feasibility import Volume
-    from clubface.equipment.clubs import Club
-
 
 RADII = ("bulge", "roll")
 LIE_MOST = units.to_si(90.0, "deg")
 """Largest lie [rad]; beyond it the head would be upside down."""
 PLACED = 9
 """Number of variables for placed mass: its CG and the lower triangle of the root of its central second moments."""
-_ROOT = [(row, column) for row in range(3) for column in range(row + 1)]
-_ENTRIES = [(i, j) for i in range(4) for j in range(i, 4)]
-"""The ten independent entries of a pseudo-inertia."""
+_ROOT, _ENTRIES = np.tril_indices(3), np.triu_indices(4)
+"""Indices of the six entries of a root and of the ten independent entries of a pseudo-inertia."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -166,7 +162,7 @@ class Variables:
         values, vectors = np.linalg.eigh(own[:3, :3] - np.outer(first, first))
         spread = (vectors * np.maximum(values, 1e-6)) @ vectors.T
         root = np.linalg.cholesky(spread)
-        return np.array([*first, *(root[place] for place in _ROOT)])
+        return np.concatenate([first, root[_ROOT]])
 
     def _add_placed_slopes(self, slopes: Floats, point: Floats, by_mass: float | None) -> None:
         """Fill in the derivatives of the mass properties."""
@@ -175,7 +171,7 @@ class Variables:
         rows, loose = _inertia_root(numbers), mass - self._shell[3, 3]
         values = mass_properties(self._shell + self._placed_inertia(mass, numbers))
         by_values = pseudo_inertia_derivatives(values)
-        forward = np.array([[each[entry] for each in by_values] for entry in _ENTRIES])
+        forward = by_values[:, *_ENTRIES].T
         empty = _inertia_root(np.zeros(PLACED))
         slopes_of_rows = [_inertia_root(each) - empty for each in np.eye(PLACED)]
         changes = [loose * frame @ (each @ rows.T + rows @ each.T) @ frame.T for each in slopes_of_rows]
@@ -183,7 +179,7 @@ class Variables:
         if by_mass is not None:
             changes.append(by_mass * frame @ rows @ rows.T @ frame.T)
             columns.append(list(self.bounds).index("mass"))
-        wanted = np.array([[each[entry] for each in changes] for entry in _ENTRIES])
+        wanted = np.array(changes)[:, *_ENTRIES].T
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
         slopes[np.ix_(places, columns)] = _solve_scaled(forward, wanted)
 
@@ -216,10 +212,8 @@ def _solve_scaled(forward: Floats, wanted: Floats) -> Floats:
 def _inertia_root(numbers: Floats) -> Floats:
     """Return a root, shape (4, 4), of the pseudo-inertia of a unit mass: its CG and the root of central moments."""
     result = np.zeros((4, 4))
-    result[:3, 0] = numbers[:3]
-    for number, place in zip(numbers[3:], _ROOT, strict=True):
-        result[place[0], 1 + place[1]] = number
-    result[3, 0] = 1.0
+    result[:3, 0], result[3, 0] = numbers[:3], 1.0
+    result[:3, 1:][_ROOT] = numbers[3:]
     return result
 
 
@@ -279,8 +273,7 @@ def placement(envelope: Envelope, pseudo: Floats) -> list[PointMass]:
 
 def _lattice(count: int) -> Floats:
     """Return integer grid points centred on 0, ``count`` along each axis, shape (count^3, 3)."""
-    along = np.arange(count, dtype=float) - (count - 1) // 2
-    return np.stack(np.meshgrid(along, along, along, indexing="ij"), axis=-1).reshape(-1, 3)
+    return np.indices((count,) * 3, dtype=float).reshape(3, -1).T - (count - 1) // 2
 
 
 def _move_inside(volume: Volume, parts: Floats) -> Floats:
@@ -295,10 +288,10 @@ def _fit_masses(parts: Floats, own: Floats) -> tuple[Floats, float]:
     from scipy.optimize import linprog
 
     rows = np.hstack([parts, np.ones((len(parts), 1))])
-    moments = np.array([rows[:, i] * rows[:, j] for i, j in _ENTRIES])
-    wanted = np.array([own[entry] for entry in _ENTRIES])
+    first, second = _ENTRIES
+    moments, wanted = (rows[:, first] * rows[:, second]).T, own[_ENTRIES]
     # The total mass is exact; the sum of the errors of the other moments is minimised.
-    free = np.eye(len(_ENTRIES))[:, :-1]
+    free = np.eye(len(wanted))[:, :-1]
     equal = np.hstack([moments, free, -free])
     cost = np.concatenate([np.zeros(len(parts)), np.ones(2 * free.shape[1])])
     result = linprog(cost, A_eq=equal, b_eq=wanted, bounds=(0.0, None), method="highs-ds")

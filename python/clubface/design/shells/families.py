@@ -259,7 +259,7 @@ class MeshFamily(Family):
             for group in self._head.groups
         )  # fmt: skip
         masses = {
-            name: (*place[:3], values.get(f"masses.{name}", place[3])) for name, place in self._head.masses.items()
+            name: (x, y, z, values.get(f"masses.{name}", own)) for name, (x, y, z, own) in self._head.masses.items()
         }
         return replace(self._head, groups=groups, masses=masses)
 

@@ -23,7 +23,7 @@ from clubface.quantities import format_value
 from clubface.results.notes import Note, note
 from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
 from clubface.results.result import Described, Provenance, Result
-from clubface.results.table import Column, Table, column, text
+from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.provenance import flight_conditions
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
@@ -228,8 +228,7 @@ def _best_table(improved: Improved) -> Table:
     rows += [(name, start[name], best[name]) for name in ordered(best)]
     kinds = [design_quantity(name) for name, _, _ in rows]
     columns = (
-        text("quantity", [name for name, _, _ in rows], printed=False),
-        text("what", [each.label for each in kinds], in_files=False),
+        *row_names("quantity", [name for name, _, _ in rows], [each.label for each in kinds]),
         Column("start", [value for _, value, _ in rows], kinds), Column("best", [value for _, _, value in rows], kinds),
     )  # fmt: skip
     return Table("best", columns)
@@ -243,8 +242,7 @@ def _limits_table(improved: Improved) -> Table:
     best = [search.best.values[name] for search, name in rows]
     columns = (
         text("metal", [search.metal.name for search, _ in rows], printed=False),
-        text("quantity", [name for _, name in rows], printed=False),
-        text("what", [each.label for each in kinds], in_files=False),
+        *row_names("quantity", [name for _, name in rows], [each.label for each in kinds]),
         Column("least", [least or None for least, _ in ends], kinds),
         Column("most", [most if most < math.inf else None for _, most in ends], kinds),
         Column("start", [search.start.values[name] for search, name in rows], kinds), Column("best", best, kinds),
@@ -276,7 +274,7 @@ def _metals_table(improved: Improved, *, printed: bool) -> Table:
         text("ended", [each.result.ended for each in improved.searches], printed=False),
         text("source", ["; ".join(each) for each in sources]),
     )  # fmt: skip
-    return Table("metals", columns, "The best head of each metal", printed=printed)
+    return Table("metals", columns, "Best head by metal", printed=printed)
 
 
 def _least_yield(study: ShellStudy, search: Search) -> float | None:
@@ -300,8 +298,8 @@ def _designs_table(improved: Improved) -> Table:
         text("metal", [search.metal.name for search, _, _ in steps], printed=False),
         text("design", [place for _, place, _ in steps], label=""),
         text("kind", [step.kind for _, _, step in steps], label=""),
-        Column(f"promised_{objective}", values("promised", objective), design_quantity(objective), "promised"),
-        Column(f"found_{objective}", values("values", objective), design_quantity(objective), "found"),
+        Column(f"promised_{objective}", values("promised", objective), design_quantity(objective), "predicted"),
+        Column(f"found_{objective}", values("values", objective), design_quantity(objective), "computed"),
         column("beyond_limits", [each if 0.0 < each < math.inf else None for each in beyond], "1", unit="%", digits=2),
         text("verdict", ["accepted" if step.accepted else "refused" if step.kind == "proposal" else ""
                          for _, _, step in steps], label=""),
@@ -314,7 +312,7 @@ def _designs_table(improved: Improved) -> Table:
     )  # fmt: skip
     metal = f" of {improved.chosen.metal.name}" if len(improved.searches) > 1 else ""
     return Table(
-        "designs", columns, f"Designs{metal} that finite elements judged",
+        "designs", columns, f"Designs{metal} evaluated by finite elements",
         shown_rows=[row for row, (search, _, _) in enumerate(steps) if search is improved.chosen],
     )  # fmt: skip
 
@@ -346,7 +344,7 @@ def _notes(improved: Improved) -> Iterator[Note]:
 def search_picture(improved: Improved) -> Picture:
     """Return the objective of every design, predicted and computed, and its values relative to the limits."""
     return Picture(
-        "search", "Every design that finite elements judged", [[_objective_panel(improved), _shares_panel(improved)]],
+        "search", "All designs evaluated by finite elements", [[_objective_panel(improved), _shares_panel(improved)]],
         height=4.2, legend=True,
     )  # fmt: skip
 
@@ -365,7 +363,7 @@ def _objective_panel(improved: Improved) -> Panel:
                 marks.append(Mark("points", numbers[rows], values[rows], symbol=symbol, hollow=not kept, label=label))
     promised = {row + 1: step.promised[objective] for row, step in enumerate(steps) if step.promised is not None}
     if promised:
-        label = "promised by the fast model"
+        label = "predicted by the fast model"
         marks.append(Mark("points", list(promised), list(promised.values()), symbol="x", style=1, label=label))
     return Panel(marks, axis(label="design"), Axis(design_quantity(objective)))
 

@@ -382,9 +382,8 @@ class ShellFile(_Asked):
             raise InputError(f"delivery.{name}", value, "left out: the golfer gives the delivery; keep only points")
         mean = self.golfer.for_hand(1.0).delivery()
         values = {name: getattr(mean, name) for name in DIMENSIONS if name not in ("toe", "high")}
-        return FaceImpact(
-            delivery={name: float(each) for name, each in values.items() if each is not None}, points=points
-        )
+        delivery = {name: float(each) for name, each in values.items() if each is not None}
+        return FaceImpact(delivery=delivery, points=points)
 
 
 def _delivered(given: Mapping[str, Any]) -> dict[str, float]:

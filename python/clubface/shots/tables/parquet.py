@@ -55,9 +55,8 @@ class ParquetReader:
             start = source.read(START)
             if not start.startswith(b"PAR1"):
                 refuse_no_table(path, start)
-                raise FileError(
-                    self.path, None, "this is not a Parquet file; the name of a text file must end in .csv or .tsv"
-                )
+                message = "this is not a Parquet file; the name of a text file must end in .csv or .tsv"
+                raise FileError(self.path, None, message)
             source.seek(0)
             self._file = self._arrow.parquet.ParquetFile(source)
         except (OSError, ValueError, self._arrow.ArrowException) as error:

@@ -258,10 +258,9 @@ class CsvRows:
                 return Reject(begins, reason, ["".join(self._raw)])
             if cells and not (len(cells) == 1 and not cells[0].strip("\x00")):  # a broken file may end in zeros
                 text = self._raw[0] if len(self._raw) == 1 else "".join(self._raw)
-                is_damaged = "\x00" in text
-                return (
-                    Reject(begins, "zero bytes: the file is damaged", [text]) if is_damaged else (cells, begins, text)
-                )
+                if "\x00" in text:
+                    return Reject(begins, "zero bytes: the file is damaged", [text])
+                return cells, begins, text
             self.blank += 1
 
 
