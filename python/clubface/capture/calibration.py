@@ -19,8 +19,10 @@ from typing import NamedTuple
 import numpy as np
 
 from clubface import units
+from clubface.capture.estimators import ROUGHNESS
 from clubface.capture.geometry import Known, off_face, usual_place
 from clubface.capture.impact_detection import DetectedImpact, detect_impact, last_before
+from clubface.capture.impact_frame import Extrapolation
 from clubface.capture.markers import MarkerMap
 from clubface.capture.recording import Recording
 from clubface.capture.rotations import (
@@ -80,27 +82,26 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     cluster = recording.markers(mapping.cluster) @ turn.T
     whole = np.all(visible(faces), axis=-1)
     if not whole.any():
-        raise FileError(recording.path, None, f"no frame shows all face points at once: {', '.join(mapping.face)}")
+        raise recording.error(f"no frame shows all face points at once: {', '.join(mapping.face)}")
     check_scale(local, faces[whole], recording.path)
     poses = fit_poses(local, faces[whole])
     if not np.isfinite(poses.position).all():
-        raise FileError(recording.path, None, f"the face points lie on a line: {', '.join(mapping.face)}")
+        raise recording.error(f"the face points lie on a line: {', '.join(mapping.face)}")
     freedom = int(degrees_of_freedom(poses.residuals).sum())
     misfit = float(np.sqrt((poses.residuals**2).sum() / freedom))
     if misfit > MISPLACED:
         worst = list(mapping.face)[int(np.argmax(np.linalg.norm(poses.residuals.mean(0), axis=-1)))]
-        raise FileError(
-            recording.path, None,
+        raise recording.error(
             f"the face points miss their positions by {units.fixed(misfit, 'mm', 1)}, most of all {worst}; check that"
-            f" this is the calibration of {club.name}, and that toe, high and standoff are those of the markers",
-        )  # fmt: skip
+            f" this is the calibration of {club.name}, and that toe, high and standoff are those of the markers"
+        )
     arms = cluster[whole] - poses.position[:, None]
     turned = np.einsum("kij,kmi->kmj", poses.rotation, arms)
     counts = visible(turned).sum(0)
     names = tuple(name for name, count in zip(mapping.cluster, counts, strict=True) if count)
     absent = [name for name in mapping.cluster if name not in names]
     if len(names) < FEWEST:
-        raise FileError(recording.path, None, f"no frame shows the face together with: {', '.join(absent)}")
+        raise recording.error(f"no frame shows the face together with: {', '.join(absent)}")
     shape = np.nanmean(turned[:, counts > 0], axis=0)
     # The face points' frame scatters with noise; errors in their positions are the same in every frame.
     noise = mapping.noise if mapping.noise is not None else _scatter(turned)
@@ -272,11 +273,10 @@ def _address_frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tu
         first, last = (each - recording.first_frame for each in mapping.frames)
         if first < 0 or last >= count:
             available = f"{recording.first_frame} to {recording.first_frame + count - 1}"
-            raise FileError(
-                recording.path, None,
+            raise recording.error(
                 f"frames of the address are {list(mapping.frames)}, but the file has frames {available}; correct"
-                f" frames under [calibration] of {mapping.path}",
-            )  # fmt: skip
+                f" frames under [calibration] of {mapping.path}"
+            )
         return first, last
     middle = np.where(visible(seen)[..., None], seen, np.nan).mean(1)  # NaN where a marker is hidden
     step = max(round(WINDOW * recording.rate), 1)
@@ -294,12 +294,11 @@ def _address_frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tu
     ]
     if not runs:
         slowest = "" if np.isnan(speed).all() else f"; it is never slower than {np.nanmin(speed):.2f} m/s"
-        raise FileError(
-            recording.path, None,
+        raise recording.error(
             f"no address: the clubhead never rests near the ground for {units.fixed(SHORTEST, 'ms', 0)}{slowest}."
-            f' Under [calibration] of {mapping.path}, give the frames of the address, or a file that shows it, or'
-            ' by = "swing"',
-        )  # fmt: skip
+            f" Under [calibration] of {mapping.path}, give the frames of the address, or a file that shows it, or"
+            ' by = "swing"'
+        )
     return runs[-1]
 
 
@@ -309,14 +308,13 @@ def _mean_markers(seen: Array, names: tuple[str, ...], recording: Recording, fir
     if len(whole) < 1 or len(names) < FEWEST:
         hidden = [name for name, each in zip(names, np.any(visible(seen), axis=0).tolist(), strict=True) if not each]
         words = f"{', '.join(hidden)} not seen" if hidden else "no frame shows all markers of the cluster"
-        raise FileError(
-            recording.path, None,
+        raise recording.error(
             f"address from frame {first + recording.first_frame}: {words}; remove the marker from [cluster], or give"
-            " other frames under [calibration]",
-        )  # fmt: skip
+            " other frames under [calibration]"
+        )
     mean = whole.mean(0)
     if not np.isfinite(fit_poses(mean - mean.mean(0), mean[None]).position).all():
-        raise FileError(recording.path, None, f"the markers of the cluster lie on a line: {', '.join(names)}")
+        raise recording.error(f"the markers of the cluster lie on a line: {', '.join(names)}")
     return mean
 
 
@@ -350,7 +348,8 @@ def from_swing(mapping: MarkerMap, club: Club, ball: Ball, recording: Recording,
     cg = -mean - np.array(club.cg)
     arm = float(np.linalg.norm(np.hypot(spread, TURNED * np.linalg.norm(cg))) / np.sqrt(3.0))
     cg = delivered(club.loft, 0.0, 0.0, club.loft) @ cg
-    detected = detect_impact(recording.times, followed, noise=max(noise, 1e-6), arm=arm, where=where, cg=cg)
+    how = Extrapolation(max(noise, 1e-6), "smoother", ROUGHNESS, where)
+    detected = detect_impact(recording.times, followed, how, arm=arm, cg=cg)
     attitude = _attitude(detected, mapping, club, ball, where)
     markers = detected.position + followed.shape @ detected.rotation.T
     result = placed(markers, attitude, mapping, club, None)
@@ -373,9 +372,7 @@ def followed_alone(mapping: MarkerMap, recording: Recording, turn: Array) -> Tra
         counts = visible(seen).sum(0).tolist()
         hidden = ", ".join(name for name, count in zip(names, counts, strict=True) if not count)
         reason = f"{hidden} never seen" if hidden else "no frame shows all of them at once"
-        raise FileError(
-            recording.path, None, f"markers of the cluster: {reason}; remove markers that are not seen from [cluster]"
-        )
+        raise recording.error(f"markers of the cluster: {reason}; remove markers that are not seen from [cluster]")
     first = seen[whole[len(whole) // 2]]
     return track(first - first.mean(0), seen, names, recording.path)
 

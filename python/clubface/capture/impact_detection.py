@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from clubface.capture.estimators import ROUGHNESS, TIME, Path, fit, smoother, wandering
-from clubface.capture.impact_frame import coordinates_of, path_through, usable
+from clubface.capture.estimators import TIME, Path, fit, wandering
+from clubface.capture.impact_frame import Extrapolation, coordinates_of, path_through, usable
 from clubface.capture.reduction import series
 from clubface.capture.rotations import Array, exponential, left_jacobian
 from clubface.capture.tracking import Track
@@ -85,38 +85,29 @@ class DetectedImpact(NamedTuple):
 
 
 def detect_impact(
-    times: Array,
-    followed: Track,
-    *,
-    noise: float,
-    arm: float,
-    where: str,
-    roughness: float = ROUGHNESS,
-    cg: Array | None = None,
+    times: Array, followed: Track, how: Extrapolation, *, arm: float, cg: Array | None = None
 ) -> DetectedImpact:
-    """Find the impact in a recording; raise FileError, which names the file ``where``, if there is none.
+    """Find the impact in a recording by the smoother, whatever the estimator; raise FileError if there is none.
 
-    ``times`` are those of the frames [s], ``noise`` the standard deviation of a marker along an axis [m], and ``cg``
-    the position of the CG relative to the head's origin, in world axes at impact [m], shape (3,); default: there.
-    ``arm`` is the standard deviation of this position along each axis [m]: after an off-centre impact the head spins
-    fast about its CG, and its other points do not move smoothly.
+    ``times`` are those of the frames [s], and ``cg`` is the position of the CG relative to the head's origin, in world
+    axes at impact [m], shape (3,); default: there. ``arm`` is the standard deviation of this position along each axis
+    [m]: after an off-centre impact the head spins fast about its CG, and its other points do not move smoothly.
     """
-    before, after, lost, again = _impact_frames(times, followed, where)
-    cg = np.zeros(3) if cg is None else cg
+    before, after, lost, again = _impact_frames(times, followed, how.where)
+    cg, how = np.zeros(3) if cg is None else cg, how._replace(name="smoother")
     known = np.flatnonzero(followed.known)
     place = int(np.searchsorted(known, before))
     tried = []
     for first in range(max(place - 1, 0), min(place + 2, len(known) - 1)):
         frames = int(known[first]), int(known[first + 1])
-        result = _crossing(times, followed, frames, noise, arm, cg, roughness, where)
+        result = _crossing(times, followed, frames, how, arm, cg)
         if result is not None and times[result.before] <= result.touch + EARLY and result.touch <= times[result.after]:
             tried.append(result)
     if not tried:
-        raise FileError(
-            where, None,
+        raise how.error(
             f"no impact can be read: the clubhead loses speed between frames {before + 1} and {after + 1}, but its"
-            f" paths before and after do not meet there, or fewer than {FEWEST} frames show it on either side",
-        )  # fmt: skip
+            f" paths before and after do not meet there, or fewer than {FEWEST} frames show it on either side"
+        )
     return min(tried, key=lambda each: each.score)._replace(lost=lost, again=again)
 
 
@@ -284,14 +275,7 @@ def _describe_gap(times: Array, position: Array, frames: Array) -> str:
 
 
 def _crossing(
-    times: Array,
-    followed: Track,
-    frames: tuple[int, int],
-    noise: float,
-    arm: float,
-    cg: Array,
-    roughness: float,
-    where: str,
+    times: Array, followed: Track, frames: tuple[int, int], how: Extrapolation, arm: float, cg: Array
 ) -> DetectedImpact | None:
     """Return the impact between two frames, where the paths on either side cross; None if there are too few frames."""
     before, after = frames
@@ -302,10 +286,9 @@ def _crossing(
     if len(earlier) < FEWEST or len(later) < FEWEST:
         return None
     start = 0.5 * (times[before] + times[after])
-    coordinates, errors, _ = coordinates_of(followed, earlier, noise)
-    ahead, attitude = path_through(times[earlier] - start, followed, earlier, noise, smoother, roughness, where)
-    density = wandering(times[earlier], coordinates, roughness)[:3]
-    errors = coordinates_of(followed, later, noise)[1][:, :3, :3]
+    ahead, attitude = path_through(times[earlier] - start, followed, earlier, how)
+    density = wandering(times[earlier], coordinates_of(followed, earlier, how.noise)[0], how.roughness)[:3]
+    errors = coordinates_of(followed, later, how.noise)[1][:, :3, :3]
 
     def left(time: float) -> Path:
         """Return the CG's path after an impact at ``time``, shifted to the origin's position at that time."""

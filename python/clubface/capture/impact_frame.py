@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -236,34 +236,23 @@ def follow_until(times: Array, followed: Track, touch: float, how: Extrapolation
 
 def _approach(times: Array, followed: Track, known: Array, touch: float, how: Extrapolation) -> Approach:
     """Return the path about ``touch`` through the last of the ``known`` frames."""
-    extend, fewest, most = estimator(how.name)
+    _, fewest, most = estimator(how.name)
     frames = usable(known[-most:], followed.poses.rotation, fewest)
     how.check_count(frames)
-    times = times[frames] - touch
-    path, attitude = path_through(times, followed, frames, how.noise, extend, how.roughness, how.where)
-    return Approach(path, attitude, touch, frames)
+    return Approach(*path_through(times[frames] - touch, followed, frames, how), touch, frames)
 
 
-def path_through(
-    times: Array,
-    followed: Track,
-    frames: Array,
-    noise: float,
-    extend: Callable[..., Path],
-    roughness: float,
-    where: str,
-) -> tuple[Path, Array]:
+def path_through(times: Array, followed: Track, frames: Array, how: Extrapolation) -> tuple[Path, Array]:
     """Return the path through frames about time zero, and the attitude relative to which its rotation vector is given.
 
-    The ``times`` of all frames [s] ascend; they count backwards for a path followed back in time. The last of
-    ``frames`` is nearest to time zero. ``noise`` is the standard deviation of a marker along an axis [m], ``extend``
-    an estimator's function, and ``where`` the file name for errors.
+    The ``times`` of these frames [s] ascend; they count backwards for a path followed back in time. The last of
+    ``frames`` is nearest to time zero.
     """
-    coordinates, errors, attitude = coordinates_of(followed, frames, noise)
+    coordinates, errors, attitude = coordinates_of(followed, frames, how.noise)
     try:
-        return extend(times, coordinates, errors, roughness=roughness), attitude
+        return estimator(how.name).extend(times, coordinates, errors, roughness=how.roughness), attitude
     except np.linalg.LinAlgError:
-        raise FileError(where, None, "the frames before impact do not determine the path of the clubhead") from None
+        raise how.error("the frames before impact do not determine the path of the clubhead") from None
 
 
 def coordinates_of(followed: Track, frames: Array, noise: float) -> tuple[Array, Array, Array]:

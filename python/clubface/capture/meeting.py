@@ -90,8 +90,8 @@ def _meet_by_impact(recording: Recording, followed: Track, cluster: Registration
     where, mapping, times = recording.path, setup.mapping, recording.times
     noise, freedom = _noise(followed, last_before(times, followed, where), setup, where)
     arm = max(float(np.sqrt(np.max(np.linalg.eigvalsh(cluster.covariance[:3, :3])))), CG_DEVIATION)
-    detected = detect_impact(times, followed, noise=noise, arm=arm, where=where, roughness=setup.roughness)
     how = Extrapolation(noise, setup.estimator, setup.roughness, where)
+    detected = detect_impact(times, followed, how, arm=arm)
     approach = follow_until(times, followed, detected.touch, how)
     if mapping.ball_position is None:
         centre, deviation = _ball_at_face_centre(approach, setup), ANYWHERE
@@ -169,10 +169,9 @@ def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[
     result = resting_places(seen, recording.rate)
     if not result:
         lost = "seen at rest" if visible(seen).any() else "seen"
-        raise FileError(
-            recording.path, None,
-            f"the ball's marker {mapping.ball} is never {lost}; give its position under [ball], or leave the table out",
-        )  # fmt: skip
+        raise recording.error(
+            f"the ball's marker {mapping.ball} is never {lost}; give its position under [ball], or leave the table out"
+        )
     return seen, result
 
 

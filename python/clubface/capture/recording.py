@@ -144,11 +144,8 @@ class _Reader:
         word = 4 if self.content[self.sign] & 0x80 else 2  # a negative scale marks floating point
         needed = data + frames * word * (4 * points + analogues)
         if len(self.content) < needed:
-            raise FileError(
-                self.name,
-                None,
-                f"the file is cut short: {len(self.content)} bytes of at least {needed} for {frames} frames",
-            )
+            short = f"{len(self.content)} bytes of at least {needed} for {frames} frames"
+            raise FileError(self.name, None, f"the file is cut short: {short}")
         return RecordingHeader(points, analogues, frames, first)
 
     def parameters(self, end: int) -> None:
@@ -245,6 +242,10 @@ class Recording(Described):
             raise InputError("positions", words, f"one of shape (frames, {len(self.labels)} markers, 3)")
         object.__setattr__(self, "positions", positions)
 
+    def error(self, message: str) -> FileError:
+        """Return an error of the file."""
+        return FileError(self.path, None, message)
+
     @property
     def times(self) -> Array:
         """Times of the frames from the first one [s]."""
@@ -290,7 +291,7 @@ class Recording(Described):
         if missing:
             plural = "markers" if len(missing) > 1 else "marker"
             present = ", ".join(self.labels) or "none"
-            raise FileError(self.path, None, f"the file has no {plural} {', '.join(missing)}; it has: {present}")
+            raise self.error(f"the file has no {plural} {', '.join(missing)}; it has: {present}")
         return self.positions[:, [place for place in places if place is not None]]
 
     def place(self, label: str) -> int | None:
@@ -300,7 +301,7 @@ class Recording(Described):
         ends = [place for place, each in enumerate(self.labels) if each.rpartition(":")[2] == label]
         if len(ends) > 1:
             shared = ", ".join(self.labels[place] for place in ends)
-            raise FileError(self.path, None, f"marker {label} may be any of {shared}; write its full name")
+            raise self.error(f"marker {label} may be any of {shared}; write its full name")
         return ends[0] if ends else None
 
 

@@ -21,7 +21,7 @@ from clubface.capture.rotations import Array, mirror, visible
 from clubface.equipment.balls import Ball, ball as ball_of
 from clubface.equipment.clubs import Club, club as club_of
 from clubface.equipment.described import HANDS
-from clubface.errors import FileError, InputError
+from clubface.errors import InputError
 from clubface.schema import Place
 from clubface.support.checks import check_choice
 
@@ -50,14 +50,14 @@ def to_world(mapping: MarkerMap, recording: Recording) -> Array:
         line = recording.markers(mapping.target)
         for name, seen in zip(mapping.target, visible(line).T, strict=True):
             if not seen.any():
-                raise FileError(recording.path, None, f"marker {name} of the target line is never seen")
+                raise recording.error(f"marker {name} of the target line is never seen")
         near, far = np.nanmean(line, axis=0)
         length = float(np.linalg.norm(far - near))
         target = (far - near) / length if length > 0.0 else up
         if abs(float(target @ up)) > STEEP:
             names = " and ".join(mapping.target)
             apart = f"they are {units.fixed(length, 'mm', 0)} apart, and {mapping.up} is up"
-            raise FileError(recording.path, None, f"{names} define no target line; {apart}")
+            raise recording.error(f"{names} define no target line; {apart}")
         target = target - (target @ up) * up
         target = target / np.linalg.norm(target)
     return axes(target, up)
