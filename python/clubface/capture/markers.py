@@ -374,9 +374,6 @@ up = "+z"
 def template(markers: Sequence[str] = ("HEAD1", "HEAD2", "HEAD3", "HEAD4")) -> str:
     """Return the TOML text of a commented mapping file to start from.
 
-    Parameters
-    ----------
-    markers
-        Names for the table of the cluster; names that TOML does not accept are put in quotes.
+    ``markers`` are the names for the table of the cluster; names that TOML does not accept are put in quotes.
     """
     return TEMPLATE.format(cluster="\n".join(f"{written_key(name)} = {quoted(SEEN)}" for name in markers))

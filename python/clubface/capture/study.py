@@ -113,19 +113,10 @@ class Study(Described):
         return dict(zip(QUANTITIES, inside[read].mean(0).tolist(), strict=True))
 
     def launch_errors(self, name: str, model: str = DEFAULT_MODEL) -> dict[str, Array]:
-        """Return the launch errors that result from using captured instead of true deliveries.
+        """Return the launch errors that result from using an estimator's instead of true deliveries.
 
-        Parameters
-        ----------
-        name
-            The estimator.
-        model
-            Impact model, with its published parameters.
-
-        Returns
-        -------
-        dict
-            ``ball_speed``, ``launch``, ``azimuth``, ``backspin``, ``sidespin`` [SI], shape (swings,).
+        The launches are those of an impact model with its published parameters. The errors are ``ball_speed``,
+        ``launch``, ``azimuth``, ``backspin`` and ``sidespin`` [SI], shape (swings,).
         """
         true, seen = (
             impact(self.club, dict(zip(QUANTITIES, values.T, strict=True)), model=model)
@@ -165,10 +156,7 @@ class Study(Described):
 def study_picture(studies: Mapping[str, Study]) -> Picture:
     """Plot bias and spread of every estimator: one panel per quantity, one group of lines per study.
 
-    Parameters
-    ----------
-    studies
-        The studies by group label, such as "no noise".
+    The studies are given by the label of their group, such as "no noise".
     """
     groups = Axis(names=list(studies), reversed=True, limits=(-0.6, len(studies) - 0.4))
     panels = [Panel(list(_error_marks(studies, name)), axis(name, unit=UNITS[name]), groups) for name in DRAWN]

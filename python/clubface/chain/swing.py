@@ -232,13 +232,8 @@ class Swing:
         """Return the golfer and club as MuJoCo XML, with a joint for each segment and springs along the shaft.
 
         In the reference pose all angles are 0 and all bodies have world axes. The body "head" has its origin at the CG
-        of the head, and the head's axes.
-
-        Parameters
-        ----------
-        links
-            Number of shaft pieces that bend and twist; 0 is a rigid shaft. Default: as in the swing, or 0 if the swing
-            has no modes.
+        of the head, and the head's axes. ``links`` is the number of shaft pieces that bend and twist; 0 is a rigid
+        shaft. Default: as in the swing, or 0 if the swing has no modes.
         """
         if links is None:
             links = self.links if self.mechanism.size > self.mechanism.joints else 0

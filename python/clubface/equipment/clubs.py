@@ -248,17 +248,10 @@ class Club(EquipmentItem):
     def on_mechanism(self, operational_inertia: ArrayLike) -> Self:
         """Return the club attached to the mechanism of a multibody program.
 
-        Parameters
-        ----------
-        operational_inertia
-            Spatial inertia of the head as attached, shape (6, 6) [kg, kg m, kg m2]: the inverse of J M^-1 J^T, with J
-            the Jacobian of velocity and angular velocity of the head's CG in the head's axes, and M the mass matrix of
-            the whole mechanism (O. Khatib, IEEE J. Robot. Autom. 3, 1987, 43-53).
-
-        Raises
-        ------
-        InputError
-            It is less than that of the free head in some motion.
+        ``operational_inertia`` is the spatial inertia of the head as attached, shape (6, 6) [kg, kg m, kg m2]: the
+        inverse of J M^-1 J^T, with J the Jacobian of velocity and angular velocity of the head's CG in the head's axes,
+        and M the mass matrix of the whole mechanism (O. Khatib, IEEE J. Robot. Autom. 3, 1987, 43-53). Raises
+        InputError if it is less than that of the free head in some motion.
         """
         return self.replace(added_inertia=on_mechanism(self.mass, self.inertia, operational_inertia))
 

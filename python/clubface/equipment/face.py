@@ -18,12 +18,7 @@ Array = NDArray[Any]
 def nearest(point: Any, bulge: float, roll: float) -> tuple[Array, Array]:
     """Return the distance of points in front of the face [m], and the outward unit normal at the nearest face point.
 
-    Parameters
-    ----------
-    point
-        Points in face axes [m], shape (..., 3).
-    bulge, roll
-        Radii of the face [m]; infinite if flat.
+    The points are in face axes [m], shape (..., 3); the radii of the face are infinite if it is flat [m].
     """
     p = np.asarray(point, dtype=np.float64)
     x1, radial_x, radial_z = _circle(p[..., 0], p[..., 2], 1.0 / bulge)

@@ -32,24 +32,8 @@ def write_series(impact: Impact, folder: str | os.PathLike[str], name: str) -> l
     yz, xz), ``pressure``, ``von_mises`` [Pa] and ``plastic_strain``. Shells give the values of their outer side, and
     ``von_mises_inner`` for the inner side.
 
-    Parameters
-    ----------
-    impact
-        A run with frames.
-    folder
-        An existing folder.
-    name
-        Prefix of the file names: ``<name>-0000.vtu`` and so on, and ``<name>.pvd``.
-
-    Returns
-    -------
-    list
-        The files written, the collection last.
-
-    Raises
-    ------
-    InputError
-        The run recorded no shapes.
+    The folder must exist. The files are ``<name>-0000.vtu`` and so on, and ``<name>.pvd``; they are returned, the
+    collection last. Raises InputError if the run recorded no shapes.
     """
     import meshlane
 

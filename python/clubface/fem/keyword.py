@@ -318,24 +318,10 @@ HEADER = (
 
 
 def write(case: Case, path: str | os.PathLike[str]) -> Path:
-    """Write a case as a keyword deck.
+    """Write a case, with the same meshes as in clubface, as a keyword deck; return the file.
 
-    Parameters
-    ----------
-    case
-        Any case; its ball has the same mesh as in clubface.
-    path
-        File to write, conventionally ending in ``.k``.
-
-    Returns
-    -------
-    Path
-        The file written.
-
-    Raises
-    ------
-    InputError
-        The case cannot be run, for example because the head moves away from the ball.
+    The name of the file conventionally ends in ``.k``. Raises InputError if the case cannot be run, for example because
+    the head moves away from the ball.
     """
     deck = Cards()
     deck.lines.append("*KEYWORD")

@@ -111,13 +111,8 @@ def _round(impact: Impact) -> Mark:
 def models_picture(impact: Impact) -> Picture:
     """Plot the forces, and the ball's velocity along and distance from the face, for every contact model.
 
-    The contact models use the same ball and the rigid equivalent of the head, with the parameters published for its
-    kind of club.
-
-    Parameters
-    ----------
-    impact
-        A run with a head.
+    The contact models use the same ball and the rigid equivalent of the head, which the run must have, with the
+    parameters published for its kind of club.
     """
     contact, motion = impact.contact, impact.motion
     curves = {"fem": [
@@ -157,12 +152,7 @@ def _model_curves(impact: Impact, contact: History) -> list[tuple[Any, Any]]:
 def paper_picture(runs: Mapping[str, Impact]) -> Picture:
     """Plot velocities, forces, spin and effective radius over time, as in figures 3, 4, 6 and 7 of Roh and Lee.
 
-    Their values are marked.
-
-    Parameters
-    ----------
-    runs
-        Runs of their case or a similar one, by label in the legend.
+    ``runs`` are those of their case or a similar one, by label in the legend. Their values are marked.
     """
     first = next(iter(runs.values()))
     time, last = time_axis(first), first.last_touch
@@ -213,12 +203,8 @@ def _paper_curves(impact: Impact) -> Iterator[tuple[str, str, int, Any, Any]]:
 def sweep_picture(rows: Sequence[Mapping[str, Any]], *, published: bool = False) -> Picture:
     """Plot ball speed, launch angle, spin and compression factor over speed and loft, as in figure 8 of Roh and Lee.
 
-    Parameters
-    ----------
-    rows
-        The rows of :func:`clubface.fem.sweep.sweep`.
-    published
-        Whether to mark their values: the case of 35 m/s and 11.5 deg, and the smallest compression factor.
+    The rows are those of :func:`clubface.fem.sweep.sweep`. ``published`` marks their values: the case of 35 m/s and
+    11.5 deg, and the smallest compression factor.
     """
     panels = []
     for key, marked, y in (

@@ -91,10 +91,8 @@ def von_mises(stress: NDArray[Any]) -> Floats:
 
 def turned(tensors: NDArray[Any], rotation: NDArray[Any]) -> Floats:
     """Rotate symmetric tensors (components last) from the axes that are the columns of ``rotation``."""
-    xx, yy, zz, xy, xz, yz = np.moveaxis(tensors, -1, 0)
-    whole = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
-    seen = rotation @ whole @ rotation.T
-    return np.stack([seen[..., i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))], axis=-1)
+    whole = tensors[..., [[0, 3, 4], [3, 1, 5], [4, 5, 2]]]
+    return (rotation @ whole @ rotation.T)[..., [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
 
 
 class Impact(Described):

@@ -312,14 +312,8 @@ FACING = 0.25
 def stress_picture(stress: ImpactStress, loft: float) -> Picture:
     """Plot the stress over a head's surface at the moment of the largest stress, with a bar for each part.
 
-    A cross marks the largest stress; a line across a bar marks the yield stress, if known.
-
-    Parameters
-    ----------
-    stress
-        Result of :func:`impact_stress`.
-    loft
-        Elevation of the face normal at the face centre [rad].
+    A cross marks the largest stress; a line across a bar marks the yield stress, if known. ``loft`` is the elevation
+    of the face normal at the face centre [rad].
     """
     surface, parts = stress.surface, stress.parts
     normals = area_vectors(surface.nodes, surface.quads)

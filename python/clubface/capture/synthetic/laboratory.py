@@ -188,16 +188,7 @@ def record_bare(
 ) -> BareSwing:
     """Record a swing including its address with three markers on the head.
 
-    Parameters
-    ----------
-    swing
-        The swing.
-    cameras
-        Cameras, for their rate, noise, axes and gaps.
-    seed
-        The same seed gives the same recording.
-    assumed
-        Distributions of the unmeasured quantities.
+    The same seed gives the same recording. ``assumed`` gives the distributions of the unmeasured quantities.
     """
     random, spread = np.random.default_rng(seed), assumed or Assumed()
     cluster = _cluster(swing.club, random, spread)
@@ -294,7 +285,7 @@ def synthesize(
     seed: int = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Path]:
-    """Write ``count`` swings of one club and everything needed to read them.
+    """Write ``count`` swings of one club and everything needed to read them; return the files, swings first.
 
     The files are ``swing-001.c3d`` and so on; ``calibration.c3d``, with markers on the face; ``markers.toml``; and
     ``truth.csv`` with the exact delivery and launch of each swing, for ``read_shots``.
@@ -313,11 +304,6 @@ def synthesize(
         The same seed gives the same files.
     progress
         Called with the number of swings written and the total.
-
-    Returns
-    -------
-    list
-        The files written, swings first.
     """
     check_swings(count, seed)
     seen, head = cameras or Cameras(), club_of_hand(club, hand)

@@ -65,14 +65,8 @@ def head_text(
 ) -> str:
     """Write a head as TOML that :func:`from_toml` can read; lengths to 0.1 um.
 
-    Parameters
-    ----------
-    design
-        The head.
-    characteristic_time
-        Characteristic time for the models that treat the head as rigid [s].
-    folder
-        Folder of the file, to which the path of a mesh is made relative; default: the path as it is in the head.
+    The characteristic time [s] is for the models that treat the head as rigid. The path of a mesh is made relative to
+    the ``folder`` of the file; default: as it is in the head.
     """
     head = f'kind = "{next(kind for kind, each in DESIGNS.items() if isinstance(design, each))}"\n'
     if characteristic_time is not None:
