@@ -10,8 +10,9 @@ import numpy as np
 from clubface import units
 from clubface.capture.ball_flight import RestingBall
 from clubface.capture.estimators import TIME, TURN, Path, estimator
+from clubface.capture.recording import Recording
 from clubface.capture.reduction import Inputs, deliver, gap
-from clubface.capture.rotations import Array, left_jacobian, logarithm, pose_information, visible
+from clubface.capture.rotations import Array, Poses, left_jacobian, logarithm, pose_information, visible
 from clubface.capture.tracking import Track
 from clubface.equipment.clubs import Club
 from clubface.errors import FileError
@@ -38,45 +39,40 @@ class FrameInterval(NamedTuple):
 
 
 def find_impact(
-    position: Array, rotation: Array, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float,
-    rate: float, where: str,
-) -> tuple[FrameInterval, RestingBall]:  # fmt: skip
+    recording: Recording, poses: Poses, seen_ball: Array, places: Sequence[RestingBall], club: Club, radius: float
+) -> tuple[FrameInterval, RestingBall]:
     """Return the frames between which the face passes a resting ball, and that ball; verify that it was hit.
 
-    ``position`` is that of the CG [m] and ``rotation`` from club to world axes, NaN in frames without a pose;
-    ``seen_ball`` is the ball's centre [m], NaN where not seen. The first of its resting ``places`` that the face meets
-    is used. ``radius`` is the ball's [m], ``rate`` in frames per second, and ``where`` the file name for errors.
+    The ``poses`` are those of a head with its origin at the CG. ``seen_ball`` is the ball's centre [m], NaN where not
+    seen, and ``radius`` its radius [m]. The first of its resting ``places`` that the face meets is used.
 
     Raises FileError if there is no impact: the face never passes the ball, the ball stays, or the head is not slowed.
     """
+    position, rotation, _ = poses
     for ball in places:
         ahead, local = gap(position, rotation, ball.centre, club, radius)
-        result = _find_pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, rate)
+        result = _find_pass(ahead, np.hypot(local[..., 1], local[..., 2]), ball, recording.rate)
         if result is not None:
-            notes = _verify_impact(position, seen_ball, ball, result, rate, where)
+            notes = _verify_impact(recording, position, seen_ball, ball, result)
             return result._replace(notes=result.notes + notes), ball
     hidden = _hidden_frames(position, places[0])
     if hidden is not None:
-        raise FileError(
-            where, None,
+        raise recording.error(
             f"no impact can be read: the clubhead is not seen in frames {hidden[0] + 1} to {hidden[1] + 1}, just"
-            " before the ball leaves; that is too many to extrapolate across",
-        )  # fmt: skip
+            " before the ball leaves; that is too many to extrapolate across"
+        )
     away = np.linalg.norm(gap(position, rotation, places[0].centre, club, radius)[1], axis=-1)
     nearest = int(np.nanargmin(away))
-    stays = (
-        "the ball stays"
-        if places[0].departure is None
-        else (
+    stays = "the ball stays"
+    if places[0].departure is not None:
+        stays = (
             "the ball leaves: the cause may be trajectories filtered across the impact (export raw ones), or a wrong"
             " mapping, calibration or club"
         )
-    )
-    raise FileError(
-        where, None,
+    raise recording.error(
         f"no impact: the face does not pass the ball; its centre comes no nearer than"
-        f" {units.fixed(away[nearest], 'mm', 0)} (frame {nearest + 1} of {len(away)}), and {stays}",
-    )  # fmt: skip
+        f" {units.fixed(away[nearest], 'mm', 0)} (frame {nearest + 1} of {len(away)}), and {stays}"
+    )
 
 
 def _hidden_frames(position: Array, ball: RestingBall) -> tuple[int, int] | None:
@@ -120,7 +116,7 @@ def _last_seen(ahead: Array, known: Array, ball: RestingBall, sideways: Array) -
 
 
 def _verify_impact(
-    position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval, rate: float, where: str
+    recording: Recording, position: Array, seen_ball: Array, ball: RestingBall, result: FrameInterval
 ) -> tuple[Note, ...]:
     """Raise FileError if neither ball nor head reacted to a pass; return notes on what could not be verified."""
     frames = f"frames {result.before + 1} and {result.after + 1}"
@@ -129,25 +125,21 @@ def _verify_impact(
     if len(later):
         moved = float(np.linalg.norm(later - ball.centre, axis=-1).max())
         if moved < max(STILL, 6.0 * ball.noise):
-            raise FileError(
-                where, None,
+            raise recording.error(
                 f"no impact: the face passes the ball's position between {frames}, but the ball stays there"
-                f" (it moves {units.fixed(moved, 'mm', 1)}); this is a swing without a ball, or the mapping is wrong",
-            )  # fmt: skip
+                f" (it moves {units.fixed(moved, 'mm', 1)}); this is a swing without a ball, or the mapping is wrong"
+            )
         return ()
-    speeds = [
-        _speed(position[result.before - 5 : result.before + 1], rate),
-        _speed(position[result.after + 1 : result.after + 7], rate),
-    ]
+    near = slice(result.before - 5, result.before + 1), slice(result.after + 1, result.after + 7)
+    speeds = [_speed(position[each], recording.rate) for each in near]
     if not np.isfinite(speeds).all():
         return (note("capture-nothing-seen-after-impact"),)
     if speeds[1] > SLOWED * speeds[0]:
-        raise FileError(
-            where, None,
+        raise recording.error(
             f"no impact: the face passes the ball's position between {frames}, but the head keeps its speed"
             f" ({speeds[0]:.1f} m/s before, {speeds[1]:.1f} m/s after); this is a swing without a ball, or the mapping"
-            " is wrong",
-        )  # fmt: skip
+            " is wrong"
+        )
     return (note("capture-ball-not-seen"),)
 
 

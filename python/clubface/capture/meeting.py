@@ -72,8 +72,7 @@ def meet(recording: Recording, followed: Track, cluster: Registration, setup: Se
 def _meet_by_ball(recording: Recording, followed: Track, setup: Setup, turn: Array) -> Meeting:
     where, head, radius, mapping = recording.path, setup.club, setup.ball.radius, setup.mapping
     seen, places = _ball(recording, setup, turn)
-    position, rotation = followed.poses.position, followed.poses.rotation
-    interval, ball = find_impact(position, rotation, seen, places, head, radius, recording.rate, where)
+    interval, ball = find_impact(recording, followed.poses, seen, places, head, radius)
     noise, freedom = _noise(followed, interval.before, setup, where)
     how = Extrapolation(noise, setup.estimator, setup.roughness, where)
     approach = follow(recording.times, followed, interval, ball.centre, head, radius, how)

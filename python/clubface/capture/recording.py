@@ -278,12 +278,8 @@ class Recording(Described):
     def markers(self, labels: Iterable[str]) -> Array:
         """Return the positions of several markers [m], shape (frames, markers, 3).
 
-        A name matches as written in the file, or without its subject: ``HEAD1`` matches ``club:HEAD1``.
-
-        Raises
-        ------
-        FileError
-            Some names are not in the file; the message lists the names that are.
+        A name matches as written in the file, or without its subject: ``HEAD1`` matches ``club:HEAD1``. Raises
+        FileError, which lists the names in the file, if some are not among them.
         """
         wanted = tuple(labels)
         places = [self.place(label) for label in wanted]

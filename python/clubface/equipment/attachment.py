@@ -56,10 +56,7 @@ def matrix_of(values: Mapping[str, float]) -> Any:
 def symmetric_rows(given: Any) -> Any:
     """Return the rows of the matrix, made exactly symmetric; anything else is returned as is, for the schema to reject.
 
-    Raises
-    ------
-    InputError
-        Opposite elements differ by more than rounding.
+    Raises InputError if opposite elements differ by more than rounding.
     """
     rows = given.tolist() if hasattr(given, "tolist") else given
     if not _is_square(rows):

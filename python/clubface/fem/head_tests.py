@@ -76,11 +76,7 @@ def restitution(
         Speed at which ball and head separate along the normal of first touch, divided by their approach speed. The
         head's speed is that of the struck point of a rigid body. For an impact in front of the CG this is
         e = v (M + m) / (M V) - 1, for a ball of mass m that leaves with v and a head of mass M that arrives with V.
-
-    Raises
-    ------
-    RunError
-        The run failed.
+        Raises RunError if the run failed.
     """
     from clubface.equipment.face import face_point, turn_to_sole
 
@@ -124,7 +120,7 @@ def characteristic_time(
     indentation; here a 200 g sphere strikes a free head. The result compares designs; it is not a conformity test.
 
     A club that is given by its characteristic time cannot be tested this way: a single spring represents its face under
-    a ball, and a sphere, which presses at a point, would find it stiffer.
+    a ball, and a sphere, which presses at a point, would find it stiffer. Raises RunError if the run failed.
 
     Parameters
     ----------
@@ -136,11 +132,6 @@ def characteristic_time(
         Point of impact [m].
     safety, threads, progress
         As for :func:`restitution`.
-
-    Raises
-    ------
-    RunError
-        The run failed.
     """
     approach = units.parse(speed, "speed", name="speed")
     run = strike(

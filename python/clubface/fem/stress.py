@@ -159,7 +159,8 @@ def impact_stress(
     The metals stay elastic here even if they have a yield stress, so the computed stress may exceed it; the margin then
     says by how much a design is too weak. For shells it is the stress on both sides (at the outermost points if the
     metal has points through the thickness), for solids the surface stress, extrapolated from element centres by patch
-    recovery (:mod:`clubface.fem.result`). Notches, welds and fatigue are not included.
+    recovery (:mod:`clubface.fem.result`). Notches, welds and fatigue are not included. Raises RunError if the run
+    failed.
 
     Parameters
     ----------
@@ -179,11 +180,6 @@ def impact_stress(
         only one.
     **delivery
         Rest of the delivery, such as ``toe``, as for :func:`clubface.impact`.
-
-    Raises
-    ------
-    RunError
-        The run failed.
     """
     if not 1 <= meshes <= len(FINER):
         raise InputError("meshes", meshes, f"1 to {len(FINER)}")

@@ -233,18 +233,15 @@ class SolidHead(MeshedHead):
         return np.concatenate([part.tetrahedra for part in self.parts])
 
     def part_of_elements(self) -> NDArray[Any]:
-        """Return the part number of each element."""
         hexahedra, tetrahedra = ([len(each) for each in kind] for kind in zip(
             *((part.hexahedra, part.tetrahedra) for part in self.parts), strict=True))  # fmt: skip
         numbers = np.arange(len(self.parts))
         return np.concatenate([np.repeat(numbers, hexahedra), np.repeat(numbers, tetrahedra)])
 
     def face_places(self) -> NDArray[Any]:
-        """Return the positions of the face's nodes [m]."""
         return self.nodes[np.unique(self.face)]
 
     def values(self) -> dict[str, Any]:
-        """Return the head in the core's format."""
         parts = []
         for part in self.parts:
             material = Material.linear(part.metal.youngs, part.metal.poisson, density=part.metal.density)
@@ -336,11 +333,9 @@ class ShellHead(MeshedHead):
         return float(np.einsum("ij,ij->", area, middle) / 3.0 + 0.5 * walls)
 
     def part_of_elements(self) -> NDArray[Any]:
-        """Return the part number of each element."""
         return np.repeat(np.arange(len(self.parts)), [part.elements for part in self.parts])
 
     def values(self) -> dict[str, Any]:
-        """Return the head in the core's format."""
         parts = [
             {key: getattr(part.metal, key) for key in ("youngs", "poisson", "density", "points", "rule")}
             | {"name": part.name, "elements": part.elements, "plastic": part.metal.plastic(), "face": part.face}
@@ -352,6 +347,5 @@ class ShellHead(MeshedHead):
         }}  # fmt: skip
 
     def face_places(self) -> NDArray[Any]:
-        """Return the positions of the face's nodes [m]."""
         chosen = [number for number, part in enumerate(self.parts) if part.face]
         return self.nodes[np.unique(self.quads[np.isin(self.part_of_elements(), chosen)])]
