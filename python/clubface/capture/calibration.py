@@ -24,7 +24,7 @@ from clubface.capture.geometry import Known, off_face, usual_place
 from clubface.capture.impact_detection import DetectedImpact, detect_impact, last_before
 from clubface.capture.impact_frame import Extrapolation
 from clubface.capture.markers import MarkerMap
-from clubface.capture.recording import Recording
+from clubface.capture.recording import Recording, runs
 from clubface.capture.rotations import (
     FEWEST,
     Array,
@@ -285,21 +285,16 @@ def _address_frames(mapping: MarkerMap, recording: Recording, seen: Array) -> tu
         speed[: count - step] = np.linalg.norm(middle[step:] - middle[:-step], axis=-1) * recording.rate / step
     low = middle[:, 1] < np.nanmin(middle[:, 1], initial=np.inf) + LOW
     with np.errstate(invalid="ignore"):
-        still = np.concatenate([[False], (speed < STILL) & low, [False]])
-    edges = np.flatnonzero(np.diff(still.astype(np.int8)))
-    runs = [
-        (int(first), int(last) - 1 + step)
-        for first, last in edges.reshape(-1, 2)
-        if last - 1 + step - first >= SHORTEST * recording.rate
-    ]
-    if not runs:
+        still = runs((speed < STILL) & low)
+    rests = [(first, last + step) for first, last in still if last + step - first >= SHORTEST * recording.rate]
+    if not rests:
         slowest = "" if np.isnan(speed).all() else f"; it is never slower than {np.nanmin(speed):.2f} m/s"
         raise recording.error(
             f"no address: the clubhead never rests near the ground for {units.fixed(SHORTEST, 'ms', 0)}{slowest}."
             f" Under [calibration] of {mapping.path}, give the frames of the address, or a file that shows it, or"
             ' by = "swing"'
         )
-    return runs[-1]
+    return rests[-1]
 
 
 def _mean_markers(seen: Array, names: tuple[str, ...], recording: Recording, first: int) -> Array:

@@ -88,7 +88,7 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
     roughness
         Not used.
     """
-    t, z, c = times, coordinates, covariances
+    t = times
     middle = (t[2:] - t[:2], 0.5 * (t[2:] + t[:2]))
     weights = np.zeros((4, len(t)))
     weights[1, 2:] = np.array([-1.0, 1.0]) / (t[3] - t[2]) * TIME
@@ -99,12 +99,9 @@ def linear(times: Array, coordinates: Array, covariances: Array, *, roughness: f
         slopes[row, [row, row + 2]] = np.array([-1.0, 1.0]) / middle[0][row] * TIME
     weights[3] = (slopes[1] - slopes[0]) / (middle[1][1] - middle[1][0]) * TIME
     weights[2] = slopes[1] - weights[3] * (middle[1][1] / TIME)
-    result = weights @ z
-    spread = np.kron(weights, np.eye(6))
-    blocks = np.zeros((24, 24))
-    for place in range(4):
-        blocks[6 * place : 6 * place + 6, 6 * place : 6 * place + 6] = c[place]
-    return Path(result[:2], result[2:], spread @ blocks @ spread.T, math.nan)
+    result = weights @ coordinates
+    covariance = np.einsum("ik,jk,kab->iajb", weights, weights, covariances).reshape(24, 24)
+    return Path(result[:2], result[2:], covariance, math.nan)
 
 
 def polynomial(times: Array, coordinates: Array, covariances: Array, *, roughness: float = ROUGHNESS) -> Path:
@@ -178,8 +175,7 @@ def fit(
     wandering = _wandering(-tau, degree)
     wandering[np.diag_indices(count)] *= 1.0 + JITTER
     errors = np.kron(wandering, np.diag(np.broadcast_to(density, width)))
-    for place, each in enumerate(covariances):
-        errors[width * place : width * (place + 1), width * place : width * (place + 1)] += each
+    errors.reshape(count, width, count, width)[range(count), :, range(count)] += covariances
     if common is not None:
         shared = common.reshape(count * width, -1)
         errors += shared @ shared.T

@@ -425,7 +425,7 @@ def _interpolated_frames(path: Array, rate: float) -> NDArray[np.bool_]:
     for order in ORDERS:
         size = np.abs(np.diff(path, order, axis=0)).max(-1)
         limit = 2.0**order * digit
-        for first, last in _runs(size < limit):
+        for first, last in runs(size < limit):
             points, pieces = last + order - first, slice(max(first - 1, 0), last + order + 1)
             if last - first + 1 < FEWEST:
                 continue
@@ -456,7 +456,7 @@ def _rounding_unit(path: Array, digit: float) -> float:
     return float(changes.min()) if np.mean(np.abs(near - np.round(near)) < 0.1) > 0.9 and len(near) > 10 else 0.0
 
 
-def _runs(where: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def runs(where: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return the first and last index of each run of true values."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], where, [False]]).astype(np.int8)))
     return [(int(first), int(last) - 1) for first, last in edges.reshape(-1, 2)]

@@ -21,6 +21,10 @@ SMALL = 1e-4
 """Angle below which series replace quotients [rad]; their next term is of order 1e-17."""
 
 
+CROSS = np.cross(np.eye(3)[:, None], np.eye(3)).swapaxes(1, 2)
+"""The matrices of the cross products of the unit vectors."""
+
+
 def mirror(hand: int) -> Array:
     """Return the factors from the right-hander's world to that of ``hand`` (1 right, -1 left), shape (3,)."""
     return np.array([1.0, 1.0, float(hand)])
@@ -28,12 +32,7 @@ def mirror(hand: int) -> Array:
 
 def skew(v: Any) -> Array:
     """Return the matrices of the cross product v × w; ``v`` of shape (..., 3) gives (..., 3, 3)."""
-    v = np.asarray(v, dtype=np.float64)
-    out = np.zeros((*v.shape, 3))
-    out[..., 0, 1], out[..., 0, 2] = -v[..., 2], v[..., 1]
-    out[..., 1, 0], out[..., 1, 2] = v[..., 2], -v[..., 0]
-    out[..., 2, 0], out[..., 2, 1] = -v[..., 1], v[..., 0]
-    return out
+    return np.tensordot(np.asarray(v, dtype=np.float64), CROSS, 1)
 
 
 def exponential(vector: Any) -> Array:

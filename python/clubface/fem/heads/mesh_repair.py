@@ -150,10 +150,8 @@ def _check_doubles(shells: Shells) -> None:
 
 def _edges(corners: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
     """Return the edges of elements: ordered end nodes, shape (k, 2), element, and position within the element."""
-    count = np.where(corners[:, 3] >= 0, 4, 3)
-    element = np.repeat(np.arange(len(corners)), count)
-    place = np.concatenate([np.arange(each) for each in count]) if len(count) else np.zeros(0, int)
-    after = (place + 1) % count[element]
+    element, place = np.nonzero(corners >= 0)
+    after = (place + 1) % np.where(corners[element, 3] >= 0, 4, 3)
     return np.stack([corners[element, place], corners[element, after]], axis=1), element, place
 
 
