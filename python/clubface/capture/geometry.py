@@ -90,10 +90,11 @@ class Assumed:
     def stated(self) -> dict[str, float]:
         """Return the values that differ from their defaults."""
         usual = Assumed()
-        return {name: getattr(self, name) for name in DIMENSIONS if getattr(self, name) != getattr(usual, name)}
+        return {
+            name: getattr(self, name) for name in quantities(Assumed) if getattr(self, name) != getattr(usual, name)
+        }
 
 
-DIMENSIONS: Mapping[str, str] = {name: each.dimension for name, each in quantities(Assumed).items()}
 USUAL_PLACE: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "wood": ((-0.045, 0.030, 0.0), (0.020, 0.010, 0.015)),
     "iron": ((-0.010, 0.015, -0.010), (0.010, 0.020, 0.020)),

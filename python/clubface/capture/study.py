@@ -194,18 +194,10 @@ def study(
 
     Parameters
     ----------
-    count
-        Number of swings.
-    club, hand
-        The club, and the player's hand.
-    cameras
-        Cameras of the laboratory; default 720 Hz and no noise.
-    estimators
-        Names of the estimators.
-    roughness
-        Roughness for the smoother.
-    seed
-        The same seed gives the same swings and noise.
+    count, club, hand, cameras, seed
+        As for :func:`clubface.capture.synthetic.synthesize`.
+    estimators, roughness
+        Names of the estimators, and roughness for the smoother.
     checkpoint
         A folder that stores swings already read, so that the study can continue after an interruption. It is removed
         at the end.

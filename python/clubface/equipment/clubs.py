@@ -22,7 +22,6 @@ from clubface.equipment.attachment import (
     spatial_inertia,
     symmetric_rows,
 )
-from clubface.equipment.balls import Ball as Ball, ball as ball
 from clubface.equipment.described import (
     FLAT,
     HANDS,

@@ -205,16 +205,12 @@ def reference(
 
     Parameters
     ----------
-    ball
-        The ball: a name, a TOML file or a :class:`Ball`.
-    friction
-        Coefficient of Coulomb friction.
+    ball, friction, settings, progress
+        As for :func:`throw`.
     refine
         Factor by which the mesh is refined along every edge.
     element
         Kind of elements: "one-point" or "full".
-    settings, progress
-        As for :func:`throw`.
     """
     made = replace(ball_of(ball).refined(refine), element=element)
     return throw(made, speed=REFERENCE_SPEED, angle=ANGLE, friction=friction, settings=settings, progress=progress)

@@ -64,12 +64,8 @@ def sweep(
         A :class:`Case`, the name of a built-in one, or the path of a TOML file.
     speeds, lofts
         Clubhead speeds [m/s] and lofts [rad].
-    output
-        A CSV file. Runs already in it, including those of an interrupted sweep, are not repeated.
-    workers
-        Number of runs at the same time, each on one core; the last runs share the free cores. Default: one per core.
-    progress
-        Called with the number of runs done and the total.
+    output, workers, progress
+        As for :func:`clubface.fem.head_tests.face_map`, with runs in place of points.
 
     Returns
     -------

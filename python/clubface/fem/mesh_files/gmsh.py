@@ -45,12 +45,11 @@ class _TextRows:
             missing = "a number and three coordinates" if kinds == "nddd" else "as many as its kind needs"
             raise self._builder.error(self.line, f"this row has {len(self._cells)} cells; it needs {missing}")
         self._place += len(kinds)
-        return tuple(self._value(kind, cell) for kind, cell in zip(kinds, cells, strict=True))
-
-    def _value(self, kind: str, cell: str) -> float:
-        if kind == "d":
-            return self._builder.coordinate(self.line, cell)
-        return self._builder.number(self.line, cell.removeprefix("-"))
+        number, coordinate = self._builder.number, self._builder.coordinate
+        return tuple(
+            coordinate(self.line, cell) if kind == "d" else number(self.line, cell.removeprefix("-"))
+            for kind, cell in zip(kinds, cells, strict=True)
+        )
 
     def end_row(self) -> None:
         """Raise an error if the row has more values."""
