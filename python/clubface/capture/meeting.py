@@ -9,7 +9,7 @@ import numpy as np
 from clubface.capture.ball_flight import RestingBall, resting_places
 from clubface.capture.calibration import Registration
 from clubface.capture.geometry import Known, off_face
-from clubface.capture.impact_detection import FEWEST, DetectedImpact, End, detect_impact, impact_at_end, last_before
+from clubface.capture.impact_detection import FEWEST, End, detect_impact, impact_at_end, last_before
 from clubface.capture.impact_frame import Approach, Extrapolation, find_impact, follow, follow_until
 from clubface.capture.recording import Recording
 from clubface.capture.reduction import Evidence, series
@@ -101,9 +101,10 @@ def _meet_by_impact(recording: Recording, followed: Track, cluster: Registration
     parts.append(
         Known("instant of first touch, by loss of speed", "measured", "contact_time", deviations=[detected.deviation])
     )
-    return _meeting_at(
-        approach, centre, deviation, detected.deviation, (noise, freedom), setup, times, _impact_notes(detected), parts
-    )
+    notes = [note("capture-impact", lost=detected.lost)]
+    if detected.again is not None:
+        notes.append(note("capture-impact-again", frame=detected.before + 1, again=detected.again + 1))
+    return _meeting_at(approach, centre, deviation, detected.deviation, (noise, freedom), setup, times, notes, parts)
 
 
 def _meet_at_end(recording: Recording, followed: Track, setup: Setup, end: End) -> Meeting:
@@ -121,12 +122,12 @@ def _meet_at_end(recording: Recording, followed: Track, setup: Setup, end: End) 
     code = "capture-ends-after-impact" if end.later else "capture-ends-with-impact"
     remark = note(code, later=end.later, frame=end.before + recording.first_frame, fewest=FEWEST)
     centre = _ball_at_face_centre(approach, setup)
-    return _meeting_at(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, (remark,), parts)
+    return _meeting_at(approach, centre, ANYWHERE, end.deviation, (noise, freedom), setup, times, [remark], parts)
 
 
 def _meeting_at(
     approach: Approach, centre: Array, deviation: float, instant: float, noise: tuple[float, int], setup: Setup,
-    times: Array, notes: tuple[Note, ...], parts: list[Known],
+    times: Array, notes: list[Note], parts: list[Known],
 ) -> Meeting:  # fmt: skip
     """Return the meeting for standard deviations ``instant`` of first touch [s] and ``deviation`` of the ball [m]."""
     assumed = setup.mapping.assumed
@@ -134,7 +135,7 @@ def _meeting_at(
     parts.append(Known(point, "assumed", "toe", [0.0, 0.0], [assumed.toe, assumed.high]))
     evidence = Evidence(np.zeros(3), np.array([instant, assumed.toe, assumed.high]))
     nowhere, ball = _unseen_ball(centre, deviation, len(times))
-    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, notes, tuple(parts))
+    return Meeting(approach, ball, np.eye(3) * deviation**2, nowhere, evidence, *noise, tuple(notes), tuple(parts))
 
 
 def _unseen_ball(centre: Array, deviation: float, frames: int) -> tuple[Array, RestingBall]:
@@ -147,13 +148,6 @@ def _ball_at_face_centre(approach: Approach, setup: Setup) -> Array:
     head, values = setup.club, series(approach.path.position, np.zeros(()))
     attitude = exponential(values[3:]) @ approach.attitude
     return values[:3] + attitude @ (np.array(head.cg) + off_face(head, 0.0, 0.0, setup.ball.radius))
-
-
-def _impact_notes(detected: DetectedImpact) -> tuple[Note, ...]:
-    taken = note("capture-impact", lost=detected.lost)
-    if detected.again is None:
-        return (taken,)
-    return taken, note("capture-impact-again", frame=detected.before + 1, again=detected.again + 1)
 
 
 def _ball(recording: Recording, setup: Setup, turn: Array) -> tuple[Array, list[RestingBall]]:

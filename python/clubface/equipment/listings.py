@@ -22,6 +22,7 @@ PAPERS = {
     "Caldwell and McPhee (2023)": "Three-dimensional golf clubhead-ball impact models for drivers and irons",
     "Roh and Lee": "Analysis of golf ball spin mechanism at impact by FEM",
 }
+"""Titles of papers that the texts of models cite by short names."""
 
 
 def models_result() -> Result:
@@ -61,10 +62,11 @@ def model_result(name: str) -> Result:
         title="Parameters",
         shown_rows=[row for row, each in enumerate(parameters) if each not in terms],
     )
+    texts = " ".join([shown.reference, *(f"{each.meaning} {each.source}" for each in parameters)])
     notes = [
         note("model-summary", summary=shown.summary),
         note("model-reference", reference=shown.reference),
-        *(note("model-paper", short=short, title=title) for short, title in _papers(shown).items()),
+        *(note("model-paper", short=short, title=title) for short, title in PAPERS.items() if short in texts),
         note("model-laws", laws=shown.laws_in_words),
     ]
     if shown.name in RANGES:
@@ -164,12 +166,6 @@ def _set_notes(place: int, one: ParameterSet) -> list[Note]:
     return notes + [
         note("value-caveat", place=place, parameter=key, caveat=each) for key, each in one.value_caveats.items()
     ]
-
-
-def _papers(shown: Model) -> dict[str, str]:
-    """Return the titles of papers that the model's texts cite by short names."""
-    texts = " ".join([shown.reference, *(f"{each.meaning} {each.source}" for each in shown.parameters)])
-    return {short: title for short, title in PAPERS.items() if short in texts}
 
 
 def clubs_result() -> Result:

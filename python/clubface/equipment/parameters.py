@@ -324,8 +324,15 @@ class ParameterSet:
         cls, path: str | os.PathLike[str], *, model: str | None = None, club: str | None = None
     ) -> ParameterSet:
         """Read the set in a file; if there are several, ``model`` and ``club`` select one."""
-        document = Document.read(path)
-        return _choose(read_sets(document), document, model, club)
+        sets = read_sets(document := Document.read(path))
+        fitting = [
+            each for each in sets if model in (None, each.model) and (club is None or each.club in (club, "any"))
+        ]
+        if len(fitting) == 1:
+            return fitting[0]
+        held = "; ".join(f"{each.model} for {each.club}" for each in sets)
+        message = f"{'no' if not fitting else 'more than one'} set fits; the file contains: {held}"
+        raise FileError(document.path, None, message)
 
     def to_toml(self) -> str:
         """Return the set as TOML that :meth:`from_toml` reads back exactly; values must be scalars."""
@@ -367,14 +374,3 @@ def read_sets(document: Document, name: str | None = None) -> list[ParameterSet]
         with Place(document).key("set").item(index).errors():
             sets.append(ParameterSet(name=(name or file.title) + variant, reference=file.reference, **values))
     return sets
-
-
-def _choose(sets: list[ParameterSet], document: Document, model_name: str | None, club: str | None) -> ParameterSet:
-    fitting = [
-        each for each in sets if model_name in (None, each.model) and (club is None or each.club in (club, "any"))
-    ]
-    if len(fitting) == 1:
-        return fitting[0]
-    held = "; ".join(f"{each.model} for {each.club}" for each in sets)
-    message = f"{'no' if not fitting else 'more than one'} set fits; the file contains: {held}"
-    raise FileError(document.path, None, message)

@@ -218,7 +218,8 @@ def face_map(
             # The rigid-body model rejects points outside the face.
             impact(made.club, speed=COR_SPEED, loft=0.0, toe=toe, high=high, ball=struck.rigid)
 
-    points_of = {_millimetres(point): point for point in points}
+    # In mm as entered, without rounding errors from the conversion to m and back.
+    points_of = {tuple(round(units.from_si(each, "mm"), 9) for each in point): point for point in points}
 
     def measure(place: Place, keep_going: Progress, threads: int) -> Row:
         toe, high = points_of[place]
@@ -237,12 +238,6 @@ def face_map(
     columns: dict[str, Callable[[str], Any]] = {**dict.fromkeys(COLUMNS, float), "stopped": str}
     job = Job("points", list(points_of), measure)
     return run_table(job, output, content, columns, workers=workers, progress=progress)
-
-
-def _millimetres(point: tuple[float, float]) -> Place:
-    """Return a point in mm as entered, without rounding errors from the conversion to m and back."""
-    toe, high = (round(units.from_si(value, "mm"), 9) for value in point)
-    return toe, high
 
 
 def face_result(rows: Sequence[Mapping[str, Any]], name: str) -> Result:

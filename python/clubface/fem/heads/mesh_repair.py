@@ -188,7 +188,8 @@ def _turn_outward(shells: Shells, face: NDArray[Any]) -> None:
             flip[own] ^= True
     if not flip.any():
         return
-    shells.corners[flip] = _reverse(shells.corners[flip])
+    corners = shells.corners[flip]
+    shells.corners[flip] = np.where(corners[:, 3:] < 0, corners[:, [0, 2, 1, 3]], corners[:, [0, 3, 2, 1]])
     parts = "all" if flip.all() else f"{int(flip.sum())} of {len(flip)}"
     shells.mesh.notes.append(
         f"the normals of {parts} elements pointed inward and were reversed, starting with element {shells.ids[flip][0]}"
@@ -224,10 +225,6 @@ def _note_open_edges(shells: Shells, edges: NDArray[Any], element: NDArray[Any])
         f"the surface is open, as at a hole or a slit: along {length:.3g} (in the file's unit), elements such as"
         f" {shells.ids[element[0]]} have no neighbour at an edge"
     )
-
-
-def _reverse(corners: NDArray[Any]) -> NDArray[Any]:
-    return np.where(corners[:, 3:] < 0, corners[:, [0, 2, 1, 3]], corners[:, [0, 3, 2, 1]])
 
 
 def _orient_pieces(count: int, pairs: NDArray[Any], same: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -130,11 +130,8 @@ class Metal:
 
     def __post_init__(self) -> None:
         check_values(self)
-        self._check_yield()
         if self.points is not None:
             check_count("points", self.points, RULES[self.rule], MAX_POINTS)
-
-    def _check_yield(self) -> None:
         if self.hardening is not None:
             table = self.hardening.table
             if table and self.yield_stress is None:
