@@ -20,31 +20,6 @@ from clubface.units import from_si
 __all__ = ["Section", "moving_section", "section_picture"]
 
 
-class SectionOutline:
-    """Section of a shell head with the plane z = 0 in the axes of first touch.
-
-    The section is cut at first touch and follows the same material points at all times.
-    """
-
-    def __init__(self, head: ShellHead, places: NDArray[Any]) -> None:
-        quads = head.quads.astype(int)
-        starts, ends = quads, np.roll(quads, -1, axis=1)
-        low, high = places[starts, 2], places[ends, 2]
-        # Nodes on the plane count as below it, so that every cut has two ends.
-        crossed = (low > 0.0) != (high > 0.0)
-        cut = crossed.sum(axis=1) == 2
-        sides = np.argsort(~crossed[cut], axis=1, kind="stable")[:, :2]
-        self._ends = tuple(np.take_along_axis(each[cut], sides, axis=1) for each in (starts, ends))
-        low, high = (np.take_along_axis(each[cut], sides, axis=1) for each in (low, high))
-        self._share = (low / (low - high))[..., None]
-        self.thickness = head.thickness[cut]
-
-    def at(self, places: NDArray[Any]) -> NDArray[Any]:
-        """Return the cuts as segments (n, 2, 3) [m] for given node positions."""
-        first, second = (places[each] for each in self._ends)
-        return first + self._share * (second - first)
-
-
 class Section:
     """Section of the deformed mesh in the plane of the normal and the direction up the face, at ``times`` [s]."""
 
@@ -59,10 +34,7 @@ class Section:
         self._quads = quads[first]
         self._masses = node_masses(mesh)
         self._impact = impact
-        head = impact.head
-        self._head = (
-            SectionOutline(head, self._from_touch(impact.head_frames[0])) if isinstance(head, ShellHead) else None
-        )
+        self._cuts = self._cut(impact.head) if isinstance(impact.head, ShellHead) else None
         self.times = impact.frame_times
 
     def at(self, frame: int) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -77,10 +49,12 @@ class Section:
 
     def head_at(self, frame: int) -> tuple[NDArray[Any], NDArray[Any]]:
         """Return the cuts through a shell head [m], (n, 2, 2), and their thickness [m]; empty for a rigid head."""
-        if self._head is None:
+        if self._cuts is None:
             return np.zeros((0, 2, 2)), np.zeros(0)
-        cuts = self._head.at(self._from_touch(self._impact.head_frames[frame]))[..., :2]
-        return cuts - self._from_touch(np.zeros(3))[:2] + self._shift(frame), self._head.thickness
+        starts, ends, share, thickness = self._cuts
+        places = self._from_touch(self._impact.head_frames[frame])[:, :2]
+        cuts = places[starts] + share * (places[ends] - places[starts])
+        return cuts - self._from_touch(np.zeros(3))[:2] + self._shift(frame), thickness
 
     def walls_at(self, frame: int) -> NDArray[Any]:
         """Return the cuts through a shell head as quadrilaterals of the wall thickness [m], (n, 4, 2)."""
@@ -109,6 +83,23 @@ class Section:
         """Return a colour scale for the compression in these frames, rounded up to a multiple of 10%."""
         most = 0.1 * max(1.0, float(np.ceil(max(self.at(frame)[1].max() for frame in frames) * 10.0)))
         return axis("compression", like="1", unit="%", limits=(0.0, most))
+
+    def _cut(self, head: ShellHead) -> tuple[NDArray[Any], ...]:
+        """Return the cuts of shells with the plane z = 0 at first touch, which follow the same material points.
+
+        Returns the nodes at which the sides that a cut crosses start and end, shape (n, 2), the fraction of the way
+        between them at which it does, and the thickness of the shell [m], shape (n,).
+        """
+        places = self._from_touch(self._impact.head_frames[0])
+        starts = head.quads.astype(int)
+        ends = np.roll(starts, -1, axis=1)
+        low, high = places[starts, 2], places[ends, 2]
+        # Nodes on the plane count as below it, so that every cut has two ends.
+        crossed = (low > 0.0) != (high > 0.0)
+        cut = crossed.sum(axis=1) == 2
+        sides = np.argsort(~crossed[cut], axis=1, kind="stable")[:, :2]
+        starts, ends, low, high = (np.take_along_axis(each[cut], sides, axis=1) for each in (starts, ends, low, high))
+        return starts, ends, (low / (low - high))[..., None], head.thickness[cut]
 
     def _from_touch(self, places: NDArray[Any]) -> NDArray[Any]:
         """Return positions in the axes of first touch, with the plotted plane at z = 0."""
