@@ -16,7 +16,9 @@ import ctypes
 import errno
 import msvcrt
 import struct
+import sys
 
+sys.modules["_wmi"] = None  # what newer Pythons ask about the system ends the process too
 library, system = ctypes.CDLL("{COMPLEX}"), ctypes.CDLL("ucrtbase")
 for name in "cabs carg catan ccos ccosh cexp cimag clog cpow creal csin csinh csqrt ctan ctanh".split():
     for each in (name, name + "f", name + "l"):

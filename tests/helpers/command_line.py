@@ -8,8 +8,6 @@ import sys
 import pytest
 
 MAIN = "from clubface.cli import main; main()"
-KILL = getattr(signal, "SIGKILL", signal.SIGTERM)
-"""Ends a process at once, as any signal does on Windows."""
 PRESS = """
 import ctypes, sys
 kernel = ctypes.windll.kernel32

@@ -167,7 +167,7 @@ def test_a_run_is_not_resumed_with_other_settings_or_another_file(write, tmp_pat
             predict(path, output=output, resume=True, **{"club": "driver", **changed})
     # As large as before, and as old.
     before = os.stat(path)
-    path.write_text(MANY.replace("99,99,1,13,1", "99,98,1,13,1"))
+    path.write_text(MANY.replace("99,99,1,13,1", "99,98,1,13,1"), newline="\n")
     os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
     assert os.stat(path).st_size == before.st_size
     with pytest.raises(FileError, match="begun with another source"):
