@@ -8,6 +8,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from clubface.support.renamed import warn_renamed
+
 if TYPE_CHECKING:
     from clubface.design.best_loft import (
         BestLoft as BestLoft,
@@ -31,7 +33,11 @@ if TYPE_CHECKING:
         refuse_impossible as refuse_impossible,
     )
     from clubface.design.golfer import to_toml as to_toml, uniform as uniform
-    from clubface.design.golfer_estimate import Doubts as Doubts, Estimate as Estimate, doubts as doubts
+    from clubface.design.golfer_estimate import (
+        Estimate as Estimate,
+        SpreadSensitivity as SpreadSensitivity,
+        doubts as doubts,
+    )
     from clubface.design.golfer_result import doubts_picture as doubts_picture
     from clubface.design.loft_fit import LoftFit as LoftFit, fit_loft as fit_loft, steady_golfer as steady_golfer
     from clubface.design.optimisation.advice import WORTH as WORTH, Advice as Advice
@@ -75,7 +81,7 @@ _NAMES = {
     "face_surface": "Outline",
     "feasibility": "Envelope Margin Volume mass_properties pseudo_inertia refuse_impossible",
     "golfer": "to_toml uniform",
-    "golfer_estimate": "Doubts Estimate doubts",
+    "golfer_estimate": "Estimate SpreadSensitivity doubts",
     "golfer_result": "doubts_picture",
     "loft_fit": "LoftFit fit_loft steady_golfer",
     "optimisation.advice": "Advice WORTH",
@@ -95,6 +101,9 @@ __all__ = [*_HOME]  # pyright: ignore[reportUnsupportedDunderAll]
 
 
 def __getattr__(name: str) -> Any:
+    if name == "Doubts":
+        warn_renamed("clubface.design.Doubts", "SpreadSensitivity")
+        name = "SpreadSensitivity"
     if name not in _HOME:
         raise AttributeError(f"module 'clubface.design' has no attribute {name!r}")
     return getattr(import_module(f"clubface.design.{_HOME[name]}"), name)

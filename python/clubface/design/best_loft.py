@@ -177,7 +177,7 @@ def best_loft(
     best = low
     for _ in range(ROUNDS):
         lofts = np.linspace(low, high, POINTS, axis=1)
-        reached = _finite_distance(strike(lofts)[1].carry)
+        reached = np.nan_to_num(strike(lofts)[1].carry, nan=-np.inf)
         if (lost := np.flatnonzero(np.isneginf(reached).all(axis=1))).size:
             speed, attack = float(speeds[lost[0]]), float(attacks[lost[0]])
             values = {"speed": speed, "attack": attack, "loft": float(np.clip(attack + BEYOND, LEAST, MOST))}
@@ -195,10 +195,6 @@ def best_loft(
     )  # fmt: skip
 
 
-def _finite_distance(distance: Floats) -> Floats:
-    return np.where(np.isfinite(distance), distance, -np.inf)
-
-
 def _flat_range(distance: Callable[[Floats], Floats], best: Floats, reached: Floats, worth: float) -> Floats:
     """Return how far below and above the best loft the loss is worth a change, by bisection, up to 15 degrees."""
     result = []
@@ -206,7 +202,7 @@ def _flat_range(distance: Callable[[Floats], Floats], best: Floats, reached: Flo
         near, far = np.zeros_like(best), np.full_like(best, np.radians(15.0))
         for _ in range(HALVINGS):
             middle = 0.5 * (near + far)
-            lost = reached - _finite_distance(distance((best + side * middle)[:, None])[:, 0]) > worth
+            lost = reached - np.nan_to_num(distance((best + side * middle)[:, None])[:, 0], nan=-np.inf) > worth
             near, far = np.where(lost, near, middle), np.where(lost, middle, far)
         result.append(0.5 * (near + far))
     return np.stack(result, axis=1)

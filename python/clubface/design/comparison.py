@@ -67,9 +67,7 @@ class Alternative:
             raise InputError("model", taken["model"], "the name of one model in each alternative")
         launch = impact(taken.pop("club"), taken.pop("delivery"), **taken)
         if launch.shape:
-            raise InputError(
-                "delivery", Wording(f"a batch of shape {launch.shape}"), "a single shot in each alternative"
-            )
+            raise InputError("delivery", Wording(f"a batch of shape {launch.shape}"), "a single shot per alternative")
         return launch
 
 
@@ -182,9 +180,8 @@ class Compared(Described):
         return Table("alternatives", tuple(columns), layout="transposed")
 
     def _contributions(self, split: Mapping[str, Contributions]) -> Table:
-        rows: list[_Row] = []
-        for name, each in split.items():
-            rows += _split_rows(name, self.launches[name], each, self._differences(name))
+        parts = ((name, self.launches[name], each, self._differences(name)) for name, each in split.items())
+        rows = [row for each in parts for row in _split_rows(*each)]
         alone = len(split) == 1
         whose = f"difference of {next(iter(split))}" if alone else "differences"
         kinds = [each.quantity for each in rows]

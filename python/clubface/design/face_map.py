@@ -325,9 +325,8 @@ def map_face(
     else:
         with without_warnings(RangeWarning):
             centre = impact(chosen, given, model=model, parameters=parameters, ball=ball, accuracy=accuracy)
-    settled = FaceImpacts(
-        ImpactSetup(chosen, model, centre.parameters, ball, air, wind, ground, accuracy=accuracy), given
-    )
+    setup = ImpactSetup(chosen, model, centre.parameters, ball, air, wind, ground, accuracy=accuracy)
+    settled = FaceImpacts(setup, given)
     if centre.shape:
         raise InputError("delivery", Wording(f"a batch of shape {centre.shape}"), "a single one")
     outline = outline_of(chosen)

@@ -281,9 +281,7 @@ def interpolated_surface(outline: Outline, toe: Floats, high: Floats, table: Flo
     try:
         through = RBFInterpolator(places, table[:, known].T, kernel="cubic", degree=2)
     except (ValueError, np.linalg.LinAlgError):
-        raise RunError(
-            f"only {known.sum()} points on the face give a shot, too few for a map; give a finer grid"
-        ) from None
+        raise RunError(f"only {known.sum()} points on the face give a shot; a map needs a finer grid") from None
 
     def at(toe: Floats, high: Floats) -> Floats:
         return through(np.stack([toe, high], axis=1) / scale).T

@@ -171,9 +171,8 @@ class Golfer:
         try:
             self._deliveries([])
         except ValueError as error:
-            raise InputError(
-                error.args[0], Wording("the matrix given"), error.args[1].removeprefix("must be ")
-            ) from None
+            what, allowed = error.args
+            raise InputError(what, Wording("the matrix given"), allowed.removeprefix("must be ")) from None
         if not isinstance(self.sources, Mapping):
             raise InputError("sources", self.sources, "a mapping of figures to text")
         object.__setattr__(self, "sources", Frozen(self.sources))
@@ -371,9 +370,7 @@ def from_document(document: Document, name: str) -> Golfer:
     mean, spread = (np.array([part.get(each, 0.0) for each in variables]) for part in (file.mean, file.spread))
     with Place(document).errors():
         if "loft" in variables and "loft" not in file.mean:
-            raise InputError(
-                "spread.loft", document.data["spread"]["loft"], "leave it out, or give the mean of loft as well"
-            )
+            raise InputError("spread.loft", document.data["spread"]["loft"], "leave it out, or give mean.loft as well")
         correlation = _correlations(Place(document).key("correlation"), file.correlation, variables, spread)
         with np.errstate(over="ignore"):  # infinite values are refused below
             covariance = correlation * np.outer(spread, spread)

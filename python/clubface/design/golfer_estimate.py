@@ -285,9 +285,7 @@ def estimate_golfer(
     """
     shots = ready_shots(shots, club=club, hand=hand, only=only, where=where, mismatch=mismatch, assume=assume)
     if shots.groups() is not None:
-        raise InputError(
-            "players", Wording("several"), "one: take the shots of one player, as with where=\"player == 'A'\""
-        )
+        raise InputError("players", Wording("several"), "one: choose a player, as with where=\"player == 'A'\"")
     if shots.hand is not None and len(set(shots.hand)) > 1:
         raise InputError("hand", Wording("right and left"), "one hand: take the shots of one player")
     mishits = find_mishits({**shots.deliveries, **shots.launches})
@@ -475,7 +473,7 @@ LEAST = 0.01
 """Smallest eigenvalue allowed when correlations are made stronger."""
 
 
-class Doubt(NamedTuple):
+class FigureEffect(NamedTuple):
     """Effect of a smaller and a larger figure on the spread of the landings.
 
     ``figure`` is named as in :meth:`Golfer.source` and ``assumed`` if it has no published or measured source;
@@ -487,7 +485,7 @@ class Doubt(NamedTuple):
     spread: dict[str, tuple[float, float]]
 
 
-class Doubts(NamedTuple):
+class SpreadSensitivity(NamedTuple):
     """Sensitivity of the spread of the landings to each figure, most important first.
 
     Every figure is changed by the share ``off``; ``spread`` is the standard deviation [m] of each of ``QUANTITIES``
@@ -496,16 +494,16 @@ class Doubts(NamedTuple):
 
     off: float
     spread: dict[str, float]
-    figures: tuple[Doubt, ...]
+    figures: tuple[FigureEffect, ...]
     shots: int = COUNT
 
-    def changes(self, doubt: Doubt, name: str) -> tuple[float, float]:
+    def changes(self, doubt: FigureEffect, name: str) -> tuple[float, float]:
         """Return the relative change of a quantity's spread with the figure smaller and larger; 0 without spread."""
         now, (less, more) = self.spread[name], doubt.spread[name]
         return (less / now - 1.0, more / now - 1.0) if now > 0.0 else (0.0, 0.0)
 
 
-def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) -> Doubts:
+def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) -> SpreadSensitivity:
     """Hit a golfer's shots with each spread, the correlations and the mishit share changed by ``off`` either way.
 
     Uses the default model in still air and ``count`` shots per change; ``off`` is a relative change.
@@ -519,11 +517,13 @@ def doubts(golfer: Golfer, club: Club, *, off: float = OFF, count: int = COUNT) 
         return {name: shots.spread(name) for name in QUANTITIES}
 
     figures = []
-    for figure in _spread_figures(player):
+    still = {f"mean of {name}" for name in player.variables}
+    still |= {f"spread of {name}" for name, each in zip(player.variables, player.spread, strict=True) if each == 0.0}
+    for figure in (each for each in player.figures() if each not in still):
         less, more = (spreads(changed(player, figure, factor)) for factor in (1.0 - off, 1.0 + off))
         both = {name: (less[name], more[name]) for name in QUANTITIES}
-        figures.append(Doubt(figure, is_assumed(golfer, figure), both))
-    result = Doubts(off, spreads(player), tuple(figures), count)
+        figures.append(FigureEffect(figure, is_assumed(golfer, figure), both))
+    result = SpreadSensitivity(off, spreads(player), tuple(figures), count)
     order = sorted(figures, key=lambda each: -max(abs(result.changes(each, name)[1]) for name in QUANTITIES))
     return result._replace(figures=tuple(order))
 
@@ -554,9 +554,3 @@ def possible(correlation: Floats) -> Floats:
     scaled = raised / np.outer(scale, scale)
     np.fill_diagonal(scaled, 1.0)
     return 0.5 * (scaled + scaled.T)
-
-
-def _spread_figures(golfer: Golfer) -> list[str]:
-    """Return the figures that affect the spread: positive spreads, correlations and mishits."""
-    still = {f"spread of {name}" for name, each in zip(golfer.variables, golfer.spread, strict=True) if each == 0.0}
-    return [each for each in golfer.figures() if not each.startswith("mean") and each not in still]

@@ -18,7 +18,7 @@ from clubface.simulation.impact import impact
 from clubface.simulation.provenance import flight_conditions, provenance_of
 
 if TYPE_CHECKING:
-    from clubface.design.golfer_estimate import Doubts, Estimate
+    from clubface.design.golfer_estimate import Estimate, SpreadSensitivity
 
 WEAK = 0.2
 """Correlations below this are counted but not printed: a few dozen shots give them by chance."""
@@ -41,7 +41,7 @@ def golfers_result(golfers: Sequence[Golfer]) -> Result:
 
 
 def golfer_result(
-    golfer: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: Doubts | None = None
+    golfer: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: SpreadSensitivity | None = None
 ) -> Result:
     """Return a golfer as a result.
 
@@ -120,7 +120,7 @@ def _correlation_tables(golfer: Golfer) -> list[Table]:
     return [Table("correlations", columns, "Correlations", printed=bool(strong), shown_rows=strong)]
 
 
-def _doubt_table(doubts: Doubts) -> Table:
+def _doubt_table(doubts: SpreadSensitivity) -> Table:
     columns = [
         text("figure", [each.figure.replace("_", " ") for each in doubts.figures]),
         text("assumed", [each.assumed for each in doubts.figures]),
@@ -138,7 +138,7 @@ def _doubt_table(doubts: Doubts) -> Table:
     return Table("doubts", tuple(columns), f"Change of landing spread if a figure is {doubts.off:.0%} off")
 
 
-def _summary(golfer: Golfer, estimate: Estimate | None, doubts: Doubts | None) -> Iterator[Note]:
+def _summary(golfer: Golfer, estimate: Estimate | None, doubts: SpreadSensitivity | None) -> Iterator[Note]:
     if estimate is not None:
         yield note("golfer-shots", shots=estimate.shots)
     yield note("golfer-speed", speed=_moment(golfer, "mean", "speed"))
@@ -182,7 +182,7 @@ def _notes(golfer: Golfer, estimate: Estimate | None) -> Iterator[Note]:
         yield note("golfer-source", figures=figures, source=source)
 
 
-def doubts_picture(doubts: Doubts) -> Picture:
+def doubts_picture(doubts: SpreadSensitivity) -> Picture:
     """Return bars of the change in spread of the landings if a figure is off; assumed figures are faint."""
     figures = doubts.figures[:MOST_BARS]
     names = [each.figure.replace("_", " ") for each in figures]

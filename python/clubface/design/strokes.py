@@ -84,7 +84,7 @@ class Hole:
         ahead, right = _places(ahead, right)
         tables = [as_lists(lie) for lie in AT_REST]
         hole = (self.length, self.fairway, self.rough, self.green)
-        lies, strokes = core.hole_strokes(_row(ahead), _row(right), hole, tables)
+        lies, strokes = core.hole_strokes(np.ravel(ahead), np.ravel(right), hole, tables)
         return np.array(AT_REST)[lies].reshape(ahead.shape), strokes.reshape(ahead.shape)
 
 
@@ -99,11 +99,7 @@ def expected(lie: str, distance: Floats) -> Floats:
         Distance from the hole [m].
     """
     distance = np.asarray(units.parse_values(distance, "length", name="distance"))
-    return core.strokes_at(*as_lists(lie), _row(distance)).reshape(distance.shape)
-
-
-def _row(values: Floats) -> Floats:
-    return np.ascontiguousarray(values).ravel()
+    return core.strokes_at(*as_lists(lie), np.ravel(distance)).reshape(distance.shape)
 
 
 def _places(ahead: Any, right: Any) -> tuple[Floats, Floats]:

@@ -242,7 +242,9 @@ def indices_by_derivatives(derivatives: ByDerivatives, outcomes: Sequence[str] =
         slope, second = derivatives.gradient[name][varies], derivatives.second[name][np.ix_(varies, varies)]
 
         def variance(subset: int, slope: Floats = slope, second: Floats = second) -> Floats:
-            known = _explained_covariance(covariance, _members(subset, len(varies)))
+            inside = _members(subset, len(varies))
+            across = covariance[:, inside]
+            known = across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
             curved = second @ known
             return np.array([slope @ known @ slope + 0.5 * np.trace(curved @ curved)])
 
@@ -338,12 +340,6 @@ def _redrawn(away: Floats, fresh: Floats, covariance: Floats, inside: Places) ->
     left = covariance[np.ix_(outside, outside)] - across @ covariance[np.ix_(inside, outside)]
     result[outside] = across @ away[inside] + np.linalg.cholesky(left) @ fresh[outside]
     return result
-
-
-def _explained_covariance(covariance: Floats, inside: Places) -> Floats:
-    """Return C_u, the part of the covariance explained by the variables ``inside``, with the shape of the whole."""
-    across = covariance[:, inside]
-    return across @ np.linalg.solve(covariance[np.ix_(inside, inside)], across.T)
 
 
 def _members(subset: int, size: int) -> Places:

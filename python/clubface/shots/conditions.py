@@ -127,10 +127,8 @@ def _named(match: re.Match[str], given: dict[str, _Number]) -> str:
     if symbol is None:
         return match[0]
     name = _UNIT_NAME.format(len(given))
-    dimension = unit(symbol).dimension
-    given[name] = _Number(
-        to_si(float(match["number"]), symbol), None if dimension == DIMENSIONLESS else dimension, match[0]
-    )
+    value, dimension = to_si(float(match["number"]), symbol), unit(symbol).dimension
+    given[name] = _Number(value, None if dimension == DIMENSIONLESS else dimension, match[0])
     return name
 
 

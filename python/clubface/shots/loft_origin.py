@@ -165,7 +165,9 @@ def _decide_origin(across: Floats, rolling: Floats, rounding: float, with_face: 
     """Decide from angles [rad] and from rolling speed over ball speed."""
     from scipy.stats import chi2
 
-    ratio = _ratio(np.sin(across), rolling)
+    # The ratio of rolling speed to sines with the smallest absolute deviations of the sines is a weighted median.
+    middle = float(np.quantile(np.sin(across) / rolling, 0.5, weights=np.abs(rolling), method="inverted_cdf"))
+    ratio = 1.0 / middle if middle != 0.0 else 0.0
     asked = np.arcsin(np.clip(rolling / ratio, -1.0, 1.0)) if ratio else np.zeros_like(rolling)
     off = across - asked
     robust = 1.4826 * float(np.median(np.abs(off - np.median(off))))
@@ -187,12 +189,6 @@ def _decide_origin(across: Floats, rolling: Floats, rounding: float, with_face: 
     middle = float(np.median(np.abs(asked[kept])))
     relative = robust / math.tan(middle) if middle > 0.0 else math.nan
     return LoftOrigin("", "", len(off), origin, with_face, ratio, abs(ratio) * relative, scatter, rounding)
-
-
-def _ratio(sines: Floats, rolling: Floats) -> float:
-    """Return the ratio of rolling to sines with the smallest absolute deviations of the sines: a weighted median."""
-    middle = float(np.quantile(sines / rolling, 0.5, weights=np.abs(rolling), method="inverted_cdf"))
-    return 1.0 / middle if middle != 0.0 else 0.0
 
 
 def _step(values: Floats, steps: Iterable[float], unit: str) -> float:

@@ -342,9 +342,7 @@ def _start(recorded: RecordedShots) -> dict[str, NDArray[np.float64]]:
     }
     if "launch" not in result:
         measured = ", ".join(recorded.launches) or "nothing"
-        raise InputError(
-            "compared_at", LAUNCH, f"shots with a measured launch angle; measured of the launch: {measured}"
-        )
+        raise InputError("compared_at", LAUNCH, f"shots with a measured launch angle; measured: {measured}")
     return result
 
 

@@ -200,10 +200,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: 
         names = dict.fromkeys(name for each in parts_of_shots for name in each)
         return {name: np.array([each.get(name, math.nan) for each in parts_of_shots]) for name in names}
 
-    wrong: dict[str, list[float]] = {}
-    for each in shots:
-        for name, value in each.impossible.items():
-            wrong.setdefault(name, []).append(value)
+    wrong = {name: values[~np.isnan(values)] for name, values in columns([each.impossible for each in shots]).items()}
     notes = Counter(remark for each in shots for remark in each.notes)
     return RecordedShots(
         deliveries=columns([each.delivery for each in shots]),
@@ -213,7 +210,7 @@ def recorded(messages: Iterable[Message], *, hand: str | None = None, protocol: 
         source=PROTOCOLS.get(protocol, protocol),
         format=protocol,
         notes=(
-            *(impossible_note(name, len(values), len(shots), values[0]) for name, values in wrong.items()),
+            *(impossible_note(name, len(values), len(shots), float(values[0])) for name, values in wrong.items()),
             *(each.of(in_shots=count, of_shots=len(shots)) for each, count in notes.most_common(LISTED)),
             *([note("messages-more", more=len(notes) - LISTED)] if len(notes) > LISTED else []),
         ),

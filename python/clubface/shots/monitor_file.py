@@ -24,6 +24,7 @@ from clubface.shots.tables.cells import (
     NUMBER,
     PLAIN,
     CellError,
+    Chunk,
     Reject,
     all_numbers,
     hand_of,
@@ -176,12 +177,12 @@ class SessionReader:
         self._end_block()
         return self.session
 
-    def read_columns(self, headings: Sequence[str], parts: Iterable[tuple[Sequence[Any], Sequence[int]]]) -> Session:
-        """Return the contents of a table given by column, as texts or numbers, with the line of each row."""
+    def read_chunks(self, headings: Sequence[str], chunks: Iterable[Chunk]) -> Session:
+        """Return the contents of a table given in chunks, whose columns are texts or numbers."""
         self._begin_table(headings, None)
         self._choose_columns(None, [])
-        for cells, lines in parts:
-            self._take(cells, list(lines))
+        for chunk in chunks:
+            self._take([chunk.cells(place) for place in range(len(headings))], list(chunk.lines))
         return self.session
 
     def _note_unread(self, cells: Sequence[Any]) -> None:

@@ -217,13 +217,11 @@ def run(
 
 def _stored_chunks(store: Store, ending: str) -> list[str]:
     """Return the names of the stored chunks that follow each other from the first row."""
-    by_first = {
-        store[name]["first"]: name for name in store if store[name]["rows"] and _chunk_files(store, name, ending)
-    }
+    firsts = {store[name]["first"]: name for name in store if store[name]["rows"] and _chunk_files(store, name, ending)}
     names, row = [], 0
-    while row in by_first:
-        names.append(by_first[row])
-        row += store[by_first[row]]["rows"]
+    while row in firsts:
+        names.append(firsts[row])
+        row += store[firsts[row]]["rows"]
     return names
 
 

@@ -209,7 +209,7 @@ def _read(
         table = ParquetReader(path)
         try:
             reader = SessionReader(str(path), TABLE, sign, units, decimal_comma=False)
-            session = reader.read_columns(table.headings, table.column_parts(PARQUET_ROWS))
+            session = reader.read_chunks(table.headings, table.chunks(PARQUET_ROWS, 0))
         finally:
             table.close()
         return _shots(session, str(path), TABLE)

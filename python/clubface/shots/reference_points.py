@@ -166,12 +166,10 @@ def _shift_motion(some: Mapping[str, Any], head: Club, hand: Floats | float, sig
     attack, path, lie, face = (_with_default(some, name, count, 0.0) for name in ("attack", "path", "lie", "face"))
     path, face = hand * path, hand * face
     direction = np.stack([np.cos(attack) * np.cos(path), np.sin(attack), np.cos(attack) * np.sin(path)], axis=1)
-    lie_rate, closure, pitch_rate = (
-        _with_default(some, each, count, 0.0) for each in ("lie_rate", "closure", "pitch_rate")
-    )
+    rates = [_with_default(some, each, count, 0.0) for each in ("lie_rate", "closure", "pitch_rate")]
     turned = _attitude_rotation(_with_default(some, "loft", count, head.loft), face, lie, head.loft)
     arm = turned @ _rotation("zy", lie) @ np.array([head.cg_x, head.cg_y, head.cg_z])
-    omega = np.stack([-lie_rate, closure, pitch_rate], axis=1)
+    omega = np.stack(rates, axis=1) * [-1.0, 1.0, 1.0]
     velocity = some["speed"][:, None] * direction + sign * np.cross(omega, arm)
     speed = np.linalg.norm(velocity, axis=1)
     return {

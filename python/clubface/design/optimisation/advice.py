@@ -345,9 +345,7 @@ def advice_lead(advice: Advice) -> Iterator[Note]:
     level = [place for place in advice.as_good(advice.purpose, chosen) if place != chosen]
     if chosen and level:
         judge = advice.objectives[0]
-        others = [
-            f"{advice.names[place]} (better by {_amount(judge, advice.gain(judge.name, place))})" for place in level
-        ]
+        others = [f"{advice.names[row]} (better by {_amount(judge, advice.gain(judge.name, row))})" for row in level]
         yield note("advice-as-good", label=short_label(judge), others=others)
     if losses := losses_in_words(advice, advice.purpose, chosen):
         yield note("advice-costs", best=advice.names[chosen], losses=losses)

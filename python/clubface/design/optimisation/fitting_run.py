@@ -308,9 +308,7 @@ def _run_combinations(
 
     job = Job("combinations", range(len(combinations)), compute, lambda place: f"combination {place}")
     kept = run(job, store=store, progress=progress).values()
-    return [
-        _CombinationResult(ball, {name: _AdjustedClub(*each) for name, each in judged.items()}) for ball, judged in kept
-    ]
+    return [_CombinationResult(ball, {name: _AdjustedClub(*each) for name, each in own.items()}) for ball, own in kept]
 
 
 def _evaluate(fitting: Fitting, head: Club, ball: Ball | None, setting: str, samples: Samples) -> _CombinationResult:

@@ -148,10 +148,8 @@ class Landings:
     def differentiated(self, club: Mapping[str, float], variables: tuple[str, ...]) -> tuple[Floats, Slopes]:
         """Return the landings as :meth:`of` does, and their derivatives with respect to club fields."""
         columns, place = self._inputs(club), input_columns()
-        wanted: dict[str, list[tuple[int, Any]]] = {}
-        for name in variables:
-            wanted[name] = [(place[each], factor) for each, factor in self._driven_inputs(name, club, columns)]
-        flat = [column for each in wanted.values() for column, _ in each]
+        wanted = [self._driven_inputs(name, club, columns) for name in variables]
+        flat = [place[driven] for each in wanted for driven, _ in each]
         names = list(outputs())
         result, _ = core.sensitivities(
             self.setting.model, columns, self._own, self.count, [names.index(name) for name in LAUNCH], flat, None,
@@ -160,7 +158,7 @@ class Landings:
         table = result.reshape(len(LAUNCH), 1 + len(flat), self.count)
         launch = np.empty((len(LAUNCH), len(variables), self.count))
         start = 1
-        for index, each in enumerate(wanted.values()):
+        for index, each in enumerate(wanted):
             launch[:, index] = sum(table[:, start + i] * factor for i, (_, factor) in enumerate(each))
             start += len(each)
         known, flights = list(flight_outputs()), list(flight_inputs())

@@ -462,9 +462,8 @@ def _notes(optimum: Optimum) -> Iterator[Note]:
         yield note("optimum-tolerances", rules=rules)
     envelope = study.variables.envelope
     if envelope is not None and envelope.volume is not envelope.whole:
-        size, centre = (
-            [f"{1e3 * each:.0f}" for each in values] for values in (envelope.volume.size, envelope.volume.centre)
-        )
+        room = envelope.volume
+        size, centre = ([f"{1e3 * each:.0f}" for each in values] for values in (room.size, room.centre))
         yield note("optimum-ellipsoid", club=study.club.name, size=size, centre=centre)
     if study.moves_mass and not optimum.placed():
         yield note("optimum-not-placed")

@@ -238,12 +238,8 @@ def _not_dominated(points: list[FrontPoint], one: float, other: float, names: tu
     """Return the points that no other point beats in both objectives."""
     costs = np.array([[one * each.values[names[0]], other * each.values[names[1]]] for each in points])
     size = np.abs(costs).max(axis=0)
-    kept = []
-    for place, each in enumerate(points):
-        better = np.all(costs < costs[place] - MARGIN * size, axis=1)
-        if not better.any():
-            kept.append(each)
-    return kept
+    is_beaten = (np.all(costs < cost - MARGIN * size, axis=1).any() for cost in costs)
+    return [each for each, beaten in zip(points, is_beaten, strict=True) if not beaten]
 
 
 def judged(study: DesignStudy, golfers: list[tuple[Landings, float]], club: Mapping[str, float]) -> list[float]:

@@ -37,7 +37,7 @@ import numpy as np
 
 from clubface import units
 from clubface.design.feasibility import MASS_PROPERTIES, SHAPES, Envelope, Volume, of_club, pseudo_inertia, room_inside
-from clubface.design.golfer import Golfer, golfer as golfer_of
+from clubface.design.golfer import golfer as golfer_of
 from clubface.design.optimisation.advice import WORTH, AdvisedStudy
 from clubface.design.optimisation.fitting import SETTINGS, Fitting
 from clubface.design.optimisation.landings import (
@@ -306,13 +306,6 @@ class DesignStudy(AdvisedStudy):
                 raise InputError(each.rule.title, problem, f"{allowed}; or give conform = false under [rules]")
 
 
-def golfers_of(given: Any) -> tuple[tuple[Golfer, float], ...]:
-    """Return golfers with their weights, from a name or path, or from tables of ``name`` and ``weight``."""
-    if isinstance(given, str | os.PathLike):
-        return ((golfer_of(given), 1.0),)
-    return tuple((golfer_of(each["name"]), float(each.get("weight", 1.0))) for each in given)
-
-
 COUNTS = {"shots": (1, MOST_SHOTS), "seed": (0, 2**31), "starts": (1, 1000), "points": (3, 200)}
 """Smallest and largest value of each count."""
 POSITIVE = ("mass", "bulge", "roll", "ixx", "iyy", "izz")
@@ -403,8 +396,10 @@ class CommonFile:
         reduced_model(self.model, "one with derivatives")
         flown = {"air": self.air, "wind": self.wind, "ground": self.ground}
         check_conditions(**flown)
+        given = [{"name": self.golfer}] if isinstance(self.golfer, str) else self.golfer
+        golfers = tuple((golfer_of(each["name"]), float(each.get("weight", 1.0))) for each in given)
         return {
-            "title": self.title, "golfers": golfers_of(self.golfer), "shots": self.shots, "seed": self.seed,
+            "title": self.title, "golfers": golfers, "shots": self.shots, "seed": self.seed,
             "hole": self.hole, "worth": self.worth, "setting": Setting(model=self.model, **setting, **flown),
         }  # fmt: skip
 

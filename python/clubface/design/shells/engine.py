@@ -132,11 +132,9 @@ def face_stress(impact: Any, head: ShellHead) -> dict[str, float]:
 
 def _merge_runs(head: ShellHead, runs: list[dict[str, float]]) -> dict[str, float]:
     """Return all quantities: means over the shots, and the greatest stress of the hardest impacts."""
-    collected: dict[str, list[float]] = {}
-    for quantities in runs:
-        for name, value in quantities.items():
-            collected.setdefault(name, []).append(value)
-    values = {name: (max if name.startswith("stress") else fmean)(each) for name, each in collected.items()}
+    values = {}
+    for name in dict.fromkeys(name for each in runs for name in each):
+        values[name] = (max if name.startswith("stress") else fmean)(each[name] for each in runs if name in each)
     values |= rigid_values(head)
     return values if all(runs) else dict.fromkeys(values, math.nan)
 

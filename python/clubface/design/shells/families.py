@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -122,8 +121,8 @@ class FaceWall(NamedTuple):
     centre: float
 
 
-class Family(ABC):
-    """The heads a study can choose from.
+class DriverFamily:
+    """The heads a study can choose from: parametric drivers that keep their mass targets.
 
     A variable is named after its table and key in the head's file, such as "thickness.crown".
 
@@ -141,42 +140,6 @@ class Family(ABC):
     variables: Mapping[str, tuple[str, tuple[str, ...]]]
     groups: tuple[str, ...] = ()
 
-    @abstractmethod
-    def value(self, head: Any, name: str) -> float:
-        """Return a head's value of a variable [SI]."""
-
-    @abstractmethod
-    def vary(self, values: Mapping[str, float], choice: MetalChoice) -> Head:
-        """Return the head with new values of variables [SI] and elastic metals."""
-
-    @abstractmethod
-    def finish(self, judged: Any, choice: MetalChoice) -> Head:
-        """Return an evaluated head as it goes into a file, with metals that yield."""
-
-    @abstractmethod
-    def check(self, head: Any) -> None:
-        """Raise an ``InputError`` for a head that cannot be meshed."""
-
-    @abstractmethod
-    def coarse(self, head: Any) -> ShellHead:
-        """Return a mesh that is quick to make and gives the mass within 0.1%."""
-
-    @abstractmethod
-    def face_wall(self, head: Any, meshed: ShellHead, part: str) -> FaceWall:
-        """Return a part of the face as a plate."""
-
-    @abstractmethod
-    def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
-        """Return name and metal, with its yield stress, of a part of the starting head."""
-
-    def files(self) -> dict[str, str]:
-        """Return fingerprints, by name, of the other files that the head's file uses."""
-        return {}
-
-
-class DriverFamily(Family):
-    """Parametric drivers that keep their mass targets."""
-
     def __init__(self, head: DriverHead, varied: Mapping[str, Any]) -> None:
         self._head = head
         self._free = any(f"thickness.{wall}" in varied for wall in SCALED)
@@ -184,11 +147,13 @@ class DriverFamily(Family):
         with without_warnings(TargetWarning):
             self.start = head.mesh()
 
-    def value(self, head: DriverHead, name: str) -> float:
+    def value(self, head: Any, name: str) -> float:
+        """Return a head's value of a variable [SI]."""
         table, _, key = name.partition(".")
         return getattr(head, table)[key]
 
     def vary(self, values: Mapping[str, float], choice: MetalChoice) -> DriverHead:
+        """Return the head with new values of variables [SI] and elastic metals."""
         tables = {"shape": dict(self._head.shape), "thickness": dict(self._head.thickness)}
         for name, value in values.items():
             table, _, key = name.partition(".")
@@ -198,27 +163,36 @@ class DriverFamily(Family):
             metal=elastic(self.metal("", choice)[1]),
         )  # fmt: skip
 
-    def finish(self, judged: DriverHead, choice: MetalChoice) -> DriverHead:
+    def finish(self, judged: Any, choice: MetalChoice) -> DriverHead:
+        """Return an evaluated head as it goes into a file, with metals that yield."""
         return replace(judged, metal=self.metal("", choice)[1])
 
-    def check(self, head: DriverHead) -> None:
+    def check(self, head: Any) -> None:
+        """Raise an ``InputError`` for a head that cannot be meshed."""
         _ = head.mesh().club
 
-    def coarse(self, head: DriverHead) -> ShellHead:
+    def coarse(self, head: Any) -> ShellHead:
+        """Return a mesh that is quick to make and gives the mass within 0.1%."""
         elements: Any = tuple(min(own, coarse) for own, coarse in zip(head.elements, ELEMENTS, strict=True))
         return replace(head, elements=elements).mesh()
 
-    def face_wall(self, head: DriverHead, meshed: ShellHead, part: str) -> FaceWall:
+    def face_wall(self, head: Any, meshed: ShellHead, part: str) -> FaceWall:
+        """Return a part of the face as a plate."""
         centre, edge = head.thickness["face_centre"], head.thickness["face_edge"]
         return FaceWall(head.metal, 0.5 * (centre + edge), centre)
 
     def metal(self, part: str, choice: MetalChoice) -> tuple[str, Metal]:
+        """Return name and metal, with its yield stress, of a part of the starting head."""
         chosen = choice.of_group(part)
         return (choice.name, self._head.metal) if chosen is None else (chosen.name, chosen.metal)
 
+    def files(self) -> dict[str, str]:
+        """Return fingerprints, by name, of the other files that the head's file uses."""
+        return {}
 
-class MeshFamily(Family):
-    """Heads of one shell mesh with different wall thicknesses, metals and added masses."""
+
+class MeshFamily:
+    """Heads of one shell mesh with different walls, metals and added masses; otherwise as :class:`DriverFamily`."""
 
     def __init__(self, head: MeshHead, varied: Mapping[str, Any]) -> None:
         self._head = head
@@ -243,7 +217,7 @@ class MeshFamily(Family):
             message = f"give the group one thickness in the file of the head: the mesh has {least} to {most}"
             raise InputError(f"variables.thickness.{group}", Wording("set element by element"), message)
 
-    def value(self, head: MeshHead, name: str) -> float:
+    def value(self, head: Any, name: str) -> float:
         table, _, key = name.partition(".")
         if table == "masses":
             return head.masses[key][3]
@@ -258,9 +232,8 @@ class MeshFamily(Family):
             )
             for group in self._head.groups
         )  # fmt: skip
-        masses = {
-            name: (x, y, z, values.get(f"masses.{name}", own)) for name, (x, y, z, own) in self._head.masses.items()
-        }
+        own = self._head.masses.items()
+        masses = {name: (*place, values.get(f"masses.{name}", mass)) for name, (*place, mass) in own}
         return replace(self._head, groups=groups, masses=masses)
 
     def _elastic(self, group: Group, choice: MetalChoice) -> Metal | Mapping[str, Any]:
@@ -272,17 +245,17 @@ class MeshFamily(Family):
         # Properties left to the mesh file stay there.
         return {key: value for key, value in group.metal.items() if key not in ("yield_stress", "hardening", "points")}
 
-    def finish(self, judged: MeshHead, choice: MetalChoice) -> MeshHead:
+    def finish(self, judged: Any, choice: MetalChoice) -> MeshHead:
         groups = []
         for own, group in zip(self._head.groups, judged.groups, strict=True):
             chosen = choice.of_group(group.name)
             groups.append(replace(group, metal=own.metal if chosen is None else chosen.metal))
         return replace(judged, groups=tuple(groups))
 
-    def check(self, head: MeshHead) -> None:
+    def check(self, head: Any) -> None:
         _ = self.coarse(head).club
 
-    def coarse(self, head: MeshHead) -> ShellHead:
+    def coarse(self, head: Any) -> ShellHead:
         # The mesh is read only once; added masses are redistributed to its nodes.
         start = self.start
         thickness, parts, carried = start.thickness.copy(), [], start.added
@@ -310,7 +283,7 @@ class MeshFamily(Family):
         metal = sums_at_nodes(start.quads, 0.25 * walls, len(start.nodes))
         return spread(head.masses, start.nodes, metal, face).added
 
-    def face_wall(self, head: MeshHead, meshed: ShellHead, part: str) -> FaceWall:
+    def face_wall(self, head: Any, meshed: ShellHead, part: str) -> FaceWall:
         rows = [each.name == part for each in meshed.parts]
         own = np.array(rows)[meshed.part_of_elements()]
         areas = np.linalg.norm(area_vectors(meshed.nodes, meshed.quads[own]), axis=1)
@@ -328,6 +301,9 @@ class MeshFamily(Family):
 
     def files(self) -> dict[str, str]:
         return {"mesh": input_file(self._head.file).sha256}
+
+
+Family = DriverFamily | MeshFamily
 
 
 def face_parts(head: ShellHead) -> dict[str, int]:

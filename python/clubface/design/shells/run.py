@@ -158,9 +158,7 @@ def improve(
         store_for(output, {"study": study, **study.family.files()}, resume=resume) as kept,
     ):
         engine, fast = Engine(study, kept, workers), FastModel(study)
-        searches = tuple(
-            _search(study, metal, engine, fast, progress, number) for number, metal in enumerate(study.choices)
-        )
+        searches = tuple(_search(study, engine, fast, progress, *each) for each in enumerate(study.choices))
         chosen = searches[0]
         for each in searches[1:]:
             if each.within and (not chosen.within or each.goal.better(each.best.values, chosen.best.values)):
@@ -190,11 +188,11 @@ def _round_trip_head(study: ShellStudy, place: Floats, metal: MetalChoice) -> He
 
 def _search(
     study: ShellStudy,
-    metal: MetalChoice,
     engine: Engine,
     fast: FastModel,
     progress: Callable[[int, int], object] | None,
     number: int,
+    metal: MetalChoice,
 ) -> Search:
     goal, whole = study.goal(metal), study.designs * len(study.choices)
 

@@ -80,11 +80,6 @@ class ParquetReader:
         except (OSError, self._arrow.ArrowException) as error:
             raise FileError(self.path, None, f"cannot be read after row {self._read}: {error}") from None
 
-    def column_parts(self, rows: int) -> Iterator[tuple[list[Any], Sequence[int]]]:
-        """Yield, for ``rows`` rows at a time, the cells by column (numbers or texts) and the row numbers."""
-        for chunk in self.chunks(rows, 0):
-            yield [chunk.cells(place) for place in range(len(self.headings))], chunk.lines
-
     def progress(self) -> float:
         """Return the share of the file that has been read, 0 to 1."""
         return self._read / self._rows if self._rows else 1.0
