@@ -75,7 +75,7 @@ def test_at_the_ends_of_the_flat_range_what_is_worth_a_change_is_lost(worth, los
 
 
 def test_loft_is_what_is_looked_for():
-    with pytest.raises(InputError, match="left out"):
+    with pytest.raises(InputError, match="loft is"):
         best_loft(45.0, loft=0.2)
     with pytest.raises(InputError):
         best_loft("nonsense")

@@ -121,7 +121,7 @@ def test_a_left_hander_spreads_as_the_mirror_image():
 def test_without_flight_launches_alone_are_counted():
     result = dispersion("tour-driver", count=256, flight=False)
     assert set(result.quantities) == set(LAUNCHED)
-    with pytest.raises(InputError, match="land"):
+    with pytest.raises(InputError, match="share is"):
         result.ellipse(0.5)
     with pytest.raises(InputError, match="do not fly"):
         dispersion("tour-driver", flight=False, hole=Hole(length="400 yd"))

@@ -95,7 +95,7 @@ def test_mass_properties_need_a_head():
      ('clubs = ["driver"]\nfoo = 1', "foo"),
      ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\nbulge = "1 mm"', "unknown key .bulge."),
      ('clubs = ["driver"]\n[[fit.setting]]\nloft = "1 deg"', "name"),
-     ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\n[[fit.setting]]\nname = "a"\nlie = "1 deg"', "no other"),
+     ('clubs = ["driver"]\n[[fit.setting]]\nname = "a"\n[[fit.setting]]\nname = "a"\nlie = "1 deg"', "name of a is"),
      ('clubs = ["driver"]\nloft = ["-10 deg", "0 deg"]', "fit.loft is '-0.2 deg'; it must be 0 to 75 deg"),
      ('clubs = ["driver"]\nlie = ["0 deg", "2 deg"]\n[[fit.setting]]\nname = "a"\nlie = "89 deg"', "fit.lie")],
 )  # fmt: skip

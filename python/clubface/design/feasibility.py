@@ -61,8 +61,9 @@ def pseudo_inertia_derivatives(values: Floats) -> Floats:
         along[axis] = -1.0
         result[1 + axis, :3, :3] = mass * (np.outer(along, place) + np.outer(place, along))
         result[1 + axis, :3, 3] = result[1 + axis, 3, :3] = mass * along
-    for entry in range(6):
-        tensor = _tensor(np.eye(6)[entry])
+    for entry, (row, column) in enumerate(((0, 0), (1, 1), (2, 2), *_PAIRS)):
+        tensor = np.zeros((3, 3))
+        tensor[row, column] = tensor[column, row] = 1.0
         result[4 + entry, :3, :3] = 0.5 * np.trace(tensor) * np.eye(3) - tensor
     return result
 
@@ -79,11 +80,6 @@ def mass_properties(pseudo: Floats) -> Floats:
 def of_club(head: Club) -> Floats:
     """Return the mass properties of a club in the order of ``MASS_PROPERTIES`` [SI], shape (10,)."""
     return np.array([getattr(head, name) for name in MASS_PROPERTIES])
-
-
-def _tensor(entries: Floats) -> Floats:
-    xx, yy, zz, xy, xz, yz = entries
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
 class QuadraticForm(NamedTuple):

@@ -79,9 +79,12 @@ def is_club_name(text: str) -> bool:
 def same_club(one: str, other: str) -> bool:
     """Return whether two names mean the same club, as ``7i`` and ``7 Iron``; unknown names must be equal."""
     kinds = club_kind(one), club_kind(other)
-    if kinds[0] is None or kinds[1] is None:
-        return one.strip().casefold() == other.strip().casefold()
-    return kinds[0] == kinds[1]
+    return same_text(one, other) if None in kinds else kinds[0] == kinds[1]
+
+
+def same_text(one: str, other: str) -> bool:
+    """Return whether two texts are equal, apart from case and spaces around them."""
+    return one.strip().casefold() == other.strip().casefold()
 
 
 def may_be(one: str, other: str) -> bool:

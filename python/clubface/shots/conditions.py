@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from clubface.errors import InputError, UnknownNameError
 from clubface.results.notes import note
-from clubface.shots.club_names import same_club
+from clubface.shots.club_names import same_club, same_text
 from clubface.shots.recorded import RecordedShots
 from clubface.shots.tables.headings import HAND, shot_words, unit_symbol
 from clubface.units import DIMENSIONLESS, from_si, symbols, to_si, unit
@@ -258,7 +258,7 @@ class _Reader:
             column = texts[name]
             if column is None:
                 raise self._error(f"the shots of {self._shots.source} have no {name}")
-            return _Text([str(each) for each in column], same_club if name == CLUB else _alike)
+            return _Text([str(each) for each in column], same_club if name == CLUB else same_text)
         if name == ROW:
             return _Number(self._shots.rows.astype(float), None, name)
         words = shot_words()
@@ -270,7 +270,3 @@ class _Reader:
             unit(symbol, name=name, dimension=dimension)
             return _Number(from_si(values, symbol), None, name)
         return _Number(values, None if dimension == DIMENSIONLESS else dimension, name)
-
-
-def _alike(one: str, other: str) -> bool:
-    return one.strip().casefold() == other.strip().casefold()

@@ -129,7 +129,8 @@ class RecordedShots(Presentable):
         known_deliveries = [name for name in inputs() if name != HAND]
         checked["deliveries"] = _floats(self.deliveries, known_deliveries, count)
         launches = _floats(self.launches, LAUNCH_QUANTITIES, count)
-        measured = {name: self._measured(name, launches[name]) for name in SPINS if name in launches}
+        own = {name: launches[name] for name in SPINS if name in launches}  # without derived spins, derived again below
+        measured = {name: np.where(each == self.derived.get(name, np.nan), np.nan, each) for name, each in own.items()}
         spins = complete(measured)
         checked["launches"] = {name: spins.values.get(name, values) for name, values in launches.items()} | spins.values
         checked["derived"] = {
@@ -150,11 +151,6 @@ class RecordedShots(Presentable):
 
     def __len__(self) -> int:
         return len(self.rows)
-
-    def _measured(self, name: str, values: Floats) -> Floats:
-        """Return values of a spin without derived ones, which are derived again."""
-        derived = self.derived.get(name)
-        return values if derived is None else np.where(values == derived, np.nan, values)
 
     @property
     def row_word(self) -> str:

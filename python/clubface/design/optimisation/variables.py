@@ -181,7 +181,11 @@ class Variables:
             columns.append(list(self.bounds).index("mass"))
         wanted = np.array(changes)[:, *_ENTRIES].T
         places = [self.fields.index(name) for name in MASS_PROPERTIES]
-        slopes[np.ix_(places, columns)] = _solve_scaled(forward, wanted)
+        # Mass properties differ widely in size, so rows and columns are scaled first.
+        by_row = 1.0 / np.abs(forward).max(axis=1)[:, None]
+        by_column = 1.0 / np.abs(forward * by_row).max(axis=0)
+        solved = by_column[:, None] * np.linalg.solve(forward * by_row * by_column, wanted * by_row)
+        slopes[np.ix_(places, columns)] = solved
 
 
 def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: str) -> None:
@@ -200,13 +204,6 @@ def check_bounds(base: Club, bounds: Mapping[str, tuple[float, float]], place: s
                 except InputError as error:
                     error.parameter = f"{place}.{name}"
                     raise
-
-
-def _solve_scaled(forward: Floats, wanted: Floats) -> Floats:
-    """Solve a linear system for mass properties, scaling rows and columns first since their sizes differ widely."""
-    rows = 1.0 / np.abs(forward).max(axis=1)
-    columns = 1.0 / np.abs(forward * rows[:, None]).max(axis=0)
-    return columns[:, None] * np.linalg.solve(forward * rows[:, None] * columns, wanted * rows[:, None])
 
 
 def _inertia_root(numbers: Floats) -> Floats:
