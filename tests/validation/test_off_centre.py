@@ -7,7 +7,7 @@ import pytest
 
 import clubface
 from clubface.validation import off_centre, strikes
-from clubface.validation.check import Judged
+from clubface.validation.check import ModelUnderTest
 
 DEG = math.pi / 180
 BY_NAME = {each.name: each for each in off_centre.CHANGES}
@@ -22,7 +22,7 @@ def fastest(change):
 def test_a_closing_face_is_fastest_towards_the_toe_by_its_rate_over_the_bend_of_the_ball_speed():
     still, closes = fastest("as judged"), fastest("closing, path of the CG 0")
     places = np.array([-0.01, 0.0, 0.01])
-    speeds = Judged("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, toe=places).ball_speed
+    speeds = ModelUnderTest("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, toe=places).ball_speed
     bend = -np.polyfit(places, speeds, 2)[0] / speeds[1]
     # Speed of the place struck grows with rate times distance; gear effect and the turned loft change it a little.
     assert closes - still == pytest.approx(off_centre.CLOSURE / strikes.TOE_SPEED / (2.0 * bend), rel=0.2)

@@ -14,7 +14,7 @@ from clubface.errors import InputError, UnknownNameError
 from clubface.present.terminal import headings_and_rows
 from clubface.validation import Figure, Validation, launches, strikes, validate
 from clubface.validation.catalogue import CHECKS
-from clubface.validation.check import A_MODEL, CERTAINTIES, Judged, figure
+from clubface.validation.check import A_MODEL, CERTAINTIES, ModelUnderTest, figure
 from clubface.validation.run import figure_table, summary
 from clubface.validation.tour import averages
 
@@ -174,7 +174,7 @@ def test_the_deliveries_behind_the_launch_shares_are_those_of_their_clubs():
 
 def test_at_its_own_launch_a_model_has_its_own_spin_whatever_the_loft_was():
     """A robot's average leaves nothing open, so that the model is judged by exactly its own shot."""
-    judged = Judged("standard")
+    judged = ModelUnderTest("standard")
     shot = judged.strike("7-iron", speed=38.0, attack=-3 * DEG, loft=26 * DEG)
     row = {
         "club": "7-iron", "club_speed": 38.0, "attack": -3 * DEG, "dynamic_loft": 99 * DEG,
@@ -205,7 +205,7 @@ def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spr
     variance v.
     """
     speed, attack, launch = 38.0, -4 * DEG, 17 * DEG
-    judged = Judged(DEFAULT_MODEL)
+    judged = ModelUnderTest(DEFAULT_MODEL)
     loft = judged.at_launch("7-iron", launch, speed=speed, attack=attack).delivery["loft"]
     lofts = loft + np.array([-1.0, 1.0]) * DEG
     spins = judged.strike("7-iron", speed=speed, attack=attack, loft=lofts).total_spin
@@ -224,7 +224,7 @@ def test_faces_that_scatter_add_to_the_mean_spin_as_the_angle_in_space_grows(spr
 
 def test_the_spin_of_drives_counts_as_missed_only_beyond_what_scatter_and_the_height_of_the_strike_explain():
     row = {"club": "driver", "club_speed": 109.98 * 0.44704, "attack": 1.6 * DEG, "launch": 12.58 * DEG, "spin": 300.0}
-    judged = Judged(DEFAULT_MODEL)
+    judged = ModelUnderTest(DEFAULT_MODEL)
     low, middle, high = (
         judged.at_launch("driver", row["launch"], speed=row["club_speed"], attack=row["attack"], high=each)
         for each in (0.0, 0.003, 0.006)
@@ -236,7 +236,7 @@ def test_the_spin_of_drives_counts_as_missed_only_beyond_what_scatter_and_the_he
     ends = [300.0 * middle.total_spin / each.total_spin for each in (low, high)]
     assert spin.published == pytest.approx(ends, rel=1e-9)
     # The interval is the publication's, so it is the same whatever model is judged; scatter widens it downward only.
-    (other,) = launches.judged_at_launch(Judged("standard"), "drive", row, scatter=None)
+    (other,) = launches.judged_at_launch(ModelUnderTest("standard"), "drive", row, scatter=None)
     assert other.published == spin.published
     assert other.computed != spin.computed
     (scattered,) = launches.judged_at_launch(judged, "drive", row, scatter=launches.scatter("driver", 49.0))
@@ -254,10 +254,10 @@ def test_golfers_who_swing_faster_scatter_less_and_irons_have_no_known_scatter_o
 
 def test_a_driver_is_fastest_nearer_to_its_mass_centre_and_loses_speed_with_the_square_of_the_distance():
     """Typed in by hand: ball speeds of one model over the face at one launch, 1 mm apart."""
-    result = {(each.case, each.quantity): each for each in strikes.best_strike(Judged("standard"))}
+    result = {(each.case, each.quantity): each for each in strikes.best_strike(ModelUnderTest("standard"))}
     best = result["driver, launch 12 deg", "fastest strike, high"].computed
     places = np.arange(-12e-3, 12e-3, 1e-3)
-    speeds = Judged("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, high=places).ball_speed
+    speeds = ModelUnderTest("standard").at_launch("driver", 12 * DEG, speed=strikes.TOE_SPEED, high=places).ball_speed
     # The parabola through three strikes 10 mm apart is off the true top by less than a mm.
     assert best == pytest.approx(places[np.argmax(speeds)], abs=1.2e-3)
     loss = result["driver, launch 12 deg", "speed lost 10 mm away, high"].computed
@@ -276,7 +276,7 @@ def test_figures_computed_by_other_models_are_shown_but_not_judged():
 @pytest.mark.parametrize("restitution", [0.0, 0.25])
 def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitution):
     values = {"slip_y": restitution, "cor": 0.8}
-    shot = Judged("slip").strike(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
+    shot = ModelUnderTest("slip").strike(strikes.PLATE, parameters=values, speed=30.0, loft=40 * DEG)
     # The plate is heavier than a ball by 2e4, and as much is missing.
     result = strikes.restitutions(shot, 30.0, 40 * DEG)
     assert result == pytest.approx((0.8, restitution), abs=2e-4)
@@ -284,22 +284,22 @@ def test_the_tangential_restitution_of_slip_on_a_plate_is_its_parameter(restitut
 
 def test_a_head_that_does_not_turn_has_the_restitution_of_the_model():
     for body in (strikes.PLATE, strikes.HEAD):
-        normal, _ = strikes.restitutions(Judged("standard").strike(body, speed=48.768), 48.768, 0.0)
+        normal, _ = strikes.restitutions(ModelUnderTest("standard").strike(body, speed=48.768), 48.768, 0.0)
         assert normal == pytest.approx(0.83, abs=1e-9)
 
 
 def test_the_share_is_one_where_balls_start_along_the_normal_and_falls_with_grip():
-    class AlongTheNormal(Judged):
+    class AlongTheNormal(ModelUnderTest):
         def strike(self, club, *, parameters=None, loft, attack, speed, face=0.0):
             return type("Shot", (), {"launch": loft, "azimuth": face})
 
     assert {each.computed for each in launches.shares(AlongTheNormal("standard"))} == {1.0}
-    shares = [each.computed for each in launches.shares(Judged("standard"))]
+    shares = [each.computed for each in launches.shares(ModelUnderTest("standard"))]
     assert all(0.5 < each < 1.0 for each in shares)
 
 
 def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
-    result = launches.curvature(Judged("standard"))
+    result = launches.curvature(ModelUnderTest("standard"))
     assert all(np.sign(each.computed) == np.sign(each.published[0]) for each in result)
     curve = {each.case: each.computed for each in result}
     right, left = (curve[f"PGA Tour, 6-iron, face to path {each} deg"] for each in (2, -5))
@@ -308,7 +308,7 @@ def test_an_open_face_curves_to_the_right_by_as_much_as_it_is_open():
 
 
 def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
-    result = {each.case: each.computed for each in launches.curvature(Judged("slip"))}
+    result = {each.case: each.computed for each in launches.curvature(ModelUnderTest("slip"))}
     average = next(each for each in averages("lpga-2019") if each.club == "driver")
     shot = clubface.impact(
         "driver", speed=average.club_speed, attack=average.attack, loft="15.5 deg", face="-2.5 deg", path="2.5 deg",
@@ -322,17 +322,18 @@ def test_a_curve_is_the_side_of_the_same_shot_started_along_the_target_line():
 
 
 def test_the_spin_by_a_degree_is_that_between_two_lofts_a_degree_from_the_mean():
-    slope = launches.by_loft(Judged("slip"))[1]
+    slope = launches.by_loft(ModelUnderTest("slip"))[1]
     mean = 662.4 / 26
     low, high = (
-        Judged("slip").strike("7-iron", loft=(mean + each) * DEG, **launches.GOLF_DIGEST) for each in (-1.0, 1.0)
+        ModelUnderTest("slip").strike("7-iron", loft=(mean + each) * DEG, **launches.GOLF_DIGEST)
+        for each in (-1.0, 1.0)
     )
     # The check takes a wider step, over which the slope falls a little.
     assert slope.computed == pytest.approx((high.total_spin - low.total_spin) / 2.0, rel=0.02)
 
 
 def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
-    judged = Judged("rings")
+    judged = ModelUnderTest("rings")
     (rise,) = launches.sliding(judged)
     whole = judged.at_launch("pitching-wedge", 30.74 * DEG, **launches.WEDGE)
     loft = whole.delivery["loft"]
@@ -348,7 +349,7 @@ def test_a_wedge_that_slides_has_lost_the_published_share_of_its_spin():
 
 
 def test_a_model_without_friction_says_nothing_of_sliding():
-    assert launches.sliding(Judged("standard"))[0].within is None
+    assert launches.sliding(ModelUnderTest("standard"))[0].within is None
 
 
 def test_the_top_of_a_parabola_is_found_and_the_end_of_what_rises():
@@ -359,7 +360,7 @@ def test_the_top_of_a_parabola_is_found_and_the_end_of_what_rises():
 
 @pytest.mark.parametrize("attack", [-5.0, 5.0])
 def test_no_loft_near_it_carries_further_than_that_of_the_longest_drive(attack):
-    judged = Judged("standard")
+    judged = ModelUnderTest("standard")
     best = launches.longest(judged, 45.0, attack * DEG)
     loft, carry = best.delivery["loft"], clubface.fly(best).carry
     others = [
@@ -382,7 +383,9 @@ def test_the_gear_effect_is_that_of_a_face_turned_back_by_its_bulge():
 
     With the face the mass centre turns, 42 mm behind it, towards the line of impact.
     """
-    result = {each.case: each.computed for each in strikes.gear_effect(Judged("standard")) if each.unit == "deg"}
+    result = {
+        each.case: each.computed for each in strikes.gear_effect(ModelUnderTest("standard")) if each.unit == "deg"
+    }
     flat = clubface.club("driver").replace(bulge="flat")
     lever = -0.0127 + 0.0421 * 0.0127 / 0.305
     centre, heel = (

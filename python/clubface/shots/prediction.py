@@ -33,6 +33,7 @@ from clubface.simulation.impact import Parameters, Tally, backend_of, impact
 from clubface.simulation.inputs import HandLike, equipped, hand_value, thread_count, tolerance
 from clubface.simulation.launch import computed_with, variant_caveats
 from clubface.simulation.own_law import source_of
+from clubface.simulation.provenance import model_sources
 from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_count, without_warnings
 from clubface.support.files import input_file, recorded, same_file
@@ -345,9 +346,7 @@ class PredictReport(Described):
                 inputs={"deliveries": self.source},
                 computations=(Computation(made["club"]["name"], made["ball"]["name"], made["model"]["name"],
                                           made["parameters"]["name"], self.hand),),
-                sources=tuple(f"{what.capitalize()} {made[what]['name']}: {words}" for what in ("model", "parameters")
-                              if (words := " ".join(str(made[what][key]) for key in ("source", "reference")
-                                                    if made[what].get(key)))),
+                sources=tuple(model_sources(made)),
                 caveats=tuple(map(str, made["parameters"]["caveats"])),
             ),
         )  # fmt: skip

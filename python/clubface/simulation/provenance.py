@@ -101,14 +101,18 @@ def _value_texts(name: str, unit: str, given: Iterable[ArrayLike]) -> Iterator[t
         yield name.replace("_", " "), show(low, unit) if low == high else show_range(low, high, unit)
 
 
+def model_sources(made: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the sources of model and parameters, from the provenance of launches."""
+    for what in ("model", "parameters"):
+        entry = made[what]
+        words = " ".join(dict.fromkeys(str(entry[key]) for key in ("source", "reference") if entry.get(key)))
+        if words:
+            yield f"{what.capitalize()} {entry['name']}: {words}"
+
+
 def _sources(launches: Sequence[Launch]) -> Iterator[str]:
     for each in launches:
-        made = each.provenance
-        for what in ("model", "parameters"):
-            entry = made[what]
-            words = " ".join(dict.fromkeys(str(entry[key]) for key in ("source", "reference") if entry.get(key)))
-            if words:
-                yield f"{what.capitalize()} {entry['name']}: {words}"
+        yield from model_sources(each.provenance)
         yield from equipment_sources(each.club, each.ball)
 
 

@@ -23,7 +23,7 @@ from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
-from clubface.validation.check import SHARE, Judged
+from clubface.validation.check import SHARE, ModelUnderTest
 from clubface.validation.tour import loft_of_ratio, spin_ratio
 
 TABLE = "optimum-trackman-2010"
@@ -147,7 +147,7 @@ def through_cg(head: Club) -> tuple[float, float]:
 def _errors(model: str, struck: str, head: Club, where: tuple[float, float]) -> Errors:
     table = published_data.table(TABLE)
     with without_warnings():
-        shots = Judged(model, BALL).strike(
+        shots = ModelUnderTest(model, BALL).strike(
             head, speed=table["club_speed"], attack=table["attack"], loft=table["dynamic_loft"], toe=where[0],
             high=where[1],
         )  # fmt: skip

@@ -107,7 +107,7 @@ def figure(
     return Figure(case, quantity, unit, (float(ends[0]), float(ends[1])), float(computed), tolerance, relative)
 
 
-class Judged:
+class ModelUnderTest:
     """The model under test, with its ball.
 
     Attributes
@@ -171,7 +171,7 @@ class Check:
     sources: tuple[str, ...]
     reason: str
     certainty: str
-    compute: Callable[[Judged], Sequence[Figure]]
+    compute: Callable[[ModelUnderTest], Sequence[Figure]]
 
     @property
     def tables(self) -> list[PublishedTable]:
@@ -183,7 +183,7 @@ class Check:
         """Whether the figures were measured; figures from another model are shown but not counted."""
         return self.certainty != A_MODEL
 
-    def figures(self, judged: Judged) -> list[Figure]:
+    def figures(self, judged: ModelUnderTest) -> list[Figure]:
         """Return the figures for the model under test, with their reliability."""
         return [each._replace(certainty=each.certainty or self.certainty) for each in self.compute(judged)]
 

@@ -27,7 +27,7 @@ from clubface.equipment.models import DEFAULT_MODEL
 from clubface.simulation.flight import fly
 from clubface.simulation.launch import Launch
 from clubface.support.arrays import Floats
-from clubface.validation.check import Figure, Judged, figure, rows
+from clubface.validation.check import Figure, ModelUnderTest, figure, rows
 from clubface.validation.tour import averages, published_lofts
 
 HEIGHTS = tuple(units.parse(each, "length") for each in ("0 mm", "3 mm", "6 mm"))
@@ -85,7 +85,7 @@ def ratios(
     The computed shot is struck at the middle of ``heights`` and launches at the angle ``launch`` [rad]. The published
     one may be the shot at any of the heights with the same launch angle, or the mean of shots that scatter about it.
     """
-    reference = Judged(DEFAULT_MODEL)
+    reference = ModelUnderTest(DEFAULT_MODEL)
     shots = reference.at_launch(club, launch, speed=speed, attack=attack, high=np.array(heights))
     possible = {name: [float(each) for each in getattr(shots, name)] for name in QUANTITIES}
     computed = {name: values[len(heights) // 2] for name, values in possible.items()}
@@ -116,10 +116,10 @@ BLADES = ("Staff MB", "Staff CB")
 """Irons in the robot test whose CG is as close to the face as in the built-in 7-iron."""
 
 
-def tour(wanted: Callable[[str], bool]) -> Callable[[Judged], list[Figure]]:
+def tour(wanted: Callable[[str], bool]) -> Callable[[ModelUnderTest], list[Figure]]:
     """Return the comparison with the tour averages for clubs selected by ``wanted``."""
 
-    def compute(judged: Judged) -> list[Figure]:
+    def compute(judged: ModelUnderTest) -> list[Figure]:
         return [
             one
             for name, season in SEASONS.items()
@@ -133,7 +133,7 @@ def tour(wanted: Callable[[str], bool]) -> Callable[[Judged], list[Figure]]:
     return compute
 
 
-def amateurs(judged: Judged) -> list[Figure]:
+def amateurs(judged: ModelUnderTest) -> list[Figure]:
     """Return ball speed and spin of golfers' drives by handicap."""
     return [
         one
@@ -144,7 +144,7 @@ def amateurs(judged: Judged) -> list[Figure]:
     ]  # fmt: skip
 
 
-def irons(judged: Judged) -> list[Figure]:
+def irons(judged: ModelUnderTest) -> list[Figure]:
     """Return ball speed and spin of irons hit by single golfers and by a robot, which does not scatter."""
     blades = [row for row in rows("robot-7-irons-launch-2026") if row["model"] in BLADES]
     robot = {name: sum(row[name] for row in blades) / len(blades) for name in ("launch", "spin")}
@@ -162,7 +162,7 @@ def irons(judged: Judged) -> list[Figure]:
     ]  # fmt: skip
 
 
-def drives(judged: Judged) -> list[Figure]:
+def drives(judged: ModelUnderTest) -> list[Figure]:
     """Return ball speed and spin of many golfers' drives, selected to start near the path, and of a single golfer's."""
     return [
         one
@@ -178,7 +178,9 @@ def drives(judged: Judged) -> list[Figure]:
     ]  # fmt: skip
 
 
-def judged_at_launch(judged: Judged, what: str, row: Mapping[str, Any], *, scatter: Scatter | None) -> Iterator[Figure]:
+def judged_at_launch(
+    judged: ModelUnderTest, what: str, row: Mapping[str, Any], *, scatter: Scatter | None
+) -> Iterator[Figure]:
     """Yield ball speed, if published, and spin of a published row at the measured launch angle.
 
     A driver is struck at the middle of ``HEIGHTS``, other clubs at the face centre.
@@ -218,7 +220,7 @@ def deliveries() -> dict[str, dict[str, Any]]:
     }  # fmt: skip
 
 
-def shares(judged: Judged) -> list[Figure]:
+def shares(judged: ModelUnderTest) -> list[Figure]:
     """Return the shares of the way from club direction to face normal, for launch angle and start direction."""
     result = []
     for club, delivery in deliveries().items():
@@ -236,7 +238,7 @@ def shares(judged: Judged) -> list[Figure]:
     return result
 
 
-def curvature(judged: Judged) -> list[Figure]:
+def curvature(judged: ModelUnderTest) -> list[Figure]:
     """Return the distance from the start line at which shots with opposite face angle and path land."""
     result = []
     for row in rows("curvature-trackman"):
@@ -254,7 +256,7 @@ def curvature(judged: Judged) -> list[Figure]:
     return result
 
 
-def head_after_impact(judged: Judged) -> list[Figure]:
+def head_after_impact(judged: ModelUnderTest) -> list[Figure]:
     """Return how much steeper a driver's head moves down after the ball has left."""
     (row,) = rows("head-after-impact")
     result = []
@@ -276,7 +278,7 @@ PEAK_LOFTS = np.radians(np.arange(31.0, 64.0, 4.0))
 PEAK_TOLERANCE = units.parse("4 deg", "angle")
 
 
-def by_loft(judged: Judged) -> list[Figure]:
+def by_loft(judged: ModelUnderTest) -> list[Figure]:
     """Return the spin of 7-irons at the mean of the published lofts or launch angles, and its slope."""
     result = []
     for table, column, delivery in (
@@ -304,7 +306,7 @@ def by_loft(judged: Judged) -> list[Figure]:
     return result
 
 
-def sliding(judged: Judged) -> list[Figure]:
+def sliding(judged: ModelUnderTest) -> list[Figure]:
     """Return how much higher a sliding ball launches whose spin is lower by the published amount.
 
     The loft is chosen to match the published launch of a urethane ball. The unknown friction of the sliding ball is
@@ -331,7 +333,7 @@ def sliding(judged: Judged) -> list[Figure]:
     return [figure("wedge, 46 mph, 0.64 of the spin", "rise of launch angle", "deg", rises, computed, WEDGE_TOLERANCE)]
 
 
-def peak(judged: Judged) -> list[Figure]:
+def peak(judged: ModelUnderTest) -> list[Figure]:
     """Return the spin loft at which a wedge gives the most spin."""
     (row,) = rows("spin-peak")
     spins = np.array([float(judged.strike("pitching-wedge", loft=loft, **PEAK).total_spin) for loft in PEAK_LOFTS])
@@ -358,7 +360,7 @@ MOVES = 3
 SMASH = 1.46
 
 
-def longest(judged: Judged, speed: float, attack: float) -> Launch:
+def longest(judged: ModelUnderTest, speed: float, attack: float) -> Launch:
     """Return the drive with the longest carry over dynamic loft."""
     lofts, carries = _carries(judged, speed, attack, math.radians(16.0) + 0.6 * attack)
     for _ in range(MOVES):
@@ -368,13 +370,13 @@ def longest(judged: Judged, speed: float, attack: float) -> Launch:
     return judged.strike("driver", speed=speed, attack=attack, loft=top(lofts, carries))
 
 
-def _carries(judged: Judged, speed: float, attack: float, middle: float) -> tuple[Floats, Floats]:
+def _carries(judged: ModelUnderTest, speed: float, attack: float, middle: float) -> tuple[Floats, Floats]:
     lofts = middle + STEPS
     shots = [judged.strike("driver", speed=speed, attack=attack, loft=float(loft)) for loft in lofts]
     return lofts, np.array([fly(each).carry for each in shots])
 
 
-def by_club_speed(judged: Judged) -> list[Figure]:
+def by_club_speed(judged: ModelUnderTest) -> list[Figure]:
     """Return the launches of the longest drives by club speed and attack angle."""
     result = []
     wanted = {round(units.parse(each, "speed"), 6) for each in SPEEDS}
@@ -385,7 +387,7 @@ def by_club_speed(judged: Judged) -> list[Figure]:
     return result
 
 
-def by_ball_speed(judged: Judged) -> list[Figure]:
+def by_ball_speed(judged: ModelUnderTest) -> list[Figure]:
     """Return the launches of the longest drives by ball speed and attack angle.
 
     Club speed is chosen so that the longest drive has the published ball speed, by one correction.

@@ -19,7 +19,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.equipment.models import DEFAULT_MODEL
 from clubface.results.table import Column, Table, table, text
 from clubface.simulation.launch import Launch
-from clubface.validation.check import Judged, reading
+from clubface.validation.check import ModelUnderTest, reading
 from clubface.validation.run import published_columns
 
 CLOSURE = units.parse("2500 deg/s", "angular rate")
@@ -77,7 +77,7 @@ CHANGES = (
 )
 
 
-class Changed(Judged):
+class Changed(ModelUnderTest):
     """A model under test with a change of the built-in heads and of every delivery."""
 
     def __init__(self, change: HeadVariation, model: str, ball: Any = None) -> None:

@@ -22,7 +22,7 @@ from clubface.results.result import Described, Result
 from clubface.results.table import Column, Table, column, text
 from clubface.simulation.impact import Tally
 from clubface.validation.catalogue import CHECKS, check_named
-from clubface.validation.check import Check, Figure, Judged, reading
+from clubface.validation.check import Check, Figure, ModelUnderTest, reading
 
 
 class CheckSummary(NamedTuple):
@@ -180,7 +180,7 @@ def validate(
     figures: dict[str, dict[str, list[Figure]]] = {name: {} for name in names}
     tally = Tally()
     for done, (name, check) in enumerate(product(figures, chosen), 1):
-        figures[name][check.name] = check.figures(Judged(name, ball, tally))
+        figures[name][check.name] = check.figures(ModelUnderTest(name, ball, tally))
         if progress is not None:
             progress(done, len(figures) * len(chosen))
     tally.warn()

@@ -12,7 +12,7 @@ from clubface.equipment.clubs import Club, club
 from clubface.simulation.flight import fly
 from clubface.simulation.launch import Launch
 from clubface.support.checks import without_warnings
-from clubface.validation.check import Figure, Judged, figure, rows
+from clubface.validation.check import Figure, ModelUnderTest, figure, rows
 
 TOE_SPEED, TOE_LOFT = units.parse("95 mph", "speed"), units.parse("15 deg", "angle")
 """Speed and loft of the robot; the unpublished loft is TrackMan's optimum for this speed."""
@@ -37,7 +37,7 @@ BEST_TOLERANCES = {"high": units.parse("1.5 mm", "length"), "toe": units.parse("
 LOSS_TOLERANCE = 0.002
 
 
-def toe_hits(judged: Judged) -> list[Figure]:
+def toe_hits(judged: ModelUnderTest) -> list[Figure]:
     """Return ball speed, launch and offline distance of a driver struck towards the toe."""
     (row,) = rows("driver-toe-hits-2011")
     centre, toe = (judged.strike("driver", speed=TOE_SPEED, loft=TOE_LOFT, toe=each) for each in (0.0, row["toe"]))
@@ -52,7 +52,7 @@ def toe_hits(judged: Judged) -> list[Figure]:
     ]  # fmt: skip
 
 
-def height(judged: Judged) -> list[Figure]:
+def height(judged: ModelUnderTest) -> list[Figure]:
     """Return the effect of striking a driver 15 mm higher, from 7.5 mm below the centre to 7.5 mm above."""
     (row,) = rows("driver-height-2014")
     half = row["higher"] / 2.0
@@ -65,7 +65,7 @@ def height(judged: Judged) -> list[Figure]:
     ]
 
 
-def best_strike(judged: Judged) -> list[Figure]:
+def best_strike(judged: ModelUnderTest) -> list[Figure]:
     """Return the fastest impact point on a driver's face at one launch angle, and the loss 10 mm away from it.
 
     The loft is solved at every impact point. Ball speed is a parabola over the face, so three points determine it.
@@ -86,7 +86,7 @@ def best_strike(judged: Judged) -> list[Figure]:
     return result
 
 
-def gear_effect(judged: Judged) -> list[Figure]:
+def gear_effect(judged: ModelUnderTest) -> list[Figure]:
     """Return the spin axis of off-centre strikes, and the part of it due to CG depth.
 
     The face angle refers to the impact point: the club is turned back by the effect of bulge there.
@@ -160,7 +160,7 @@ def restitutions(shot: Launch, speed: float, angle: float) -> tuple[float, float
     return float(normal / (speed * math.cos(angle))), float(tangential)
 
 
-def plates(judged: Judged) -> list[Figure]:
+def plates(judged: ModelUnderTest) -> list[Figure]:
     """Return the restitution of the ball against plates and a head without spring effect."""
     result = []
 
@@ -192,7 +192,7 @@ def plates(judged: Judged) -> list[Figure]:
     return [*result, figure("plate, 50 deg", across, "1", published, computed, TANGENTIAL_TOLERANCE)]
 
 
-def contact_time(judged: Judged) -> list[Figure]:
+def contact_time(judged: ModelUnderTest) -> list[Figure]:
     """Return the contact time of a drive."""
     (row,) = rows("drive-contact-time")
     published = (row["contact_time_least"], row["contact_time_most"])
