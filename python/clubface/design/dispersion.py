@@ -340,7 +340,7 @@ class Dispersion(Described):
     def ellipse(self, share: float) -> Ellipse:
         """Return the ellipse that contains a share of the landings."""
         if not self.points.size:
-            raise InputError("share", share, "used only if the balls fly")
+            raise InputError("share", share, "left out, because the balls do not fly")
         return self.tally.ellipse(share)
 
 
