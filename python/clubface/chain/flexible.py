@@ -20,6 +20,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from clubface.chain.golfer import Body, combined
 from clubface.equipment.attachment import CONTACT_TIME, added_inputs, spatial_inertia
 from clubface.equipment.clubs import Club
 from clubface.equipment.shafts import Shaft
@@ -42,10 +43,6 @@ class FlexibleShaft(NamedTuple):
     bending: Any  # stiffness matrices of the coordinates per unit of EI at each station, shape (stations, modes, modes)
     torsion: Any  # the same per unit of GJ
     frequency: Any  # natural angular frequencies of the modes with the hands held fixed [rad/s], shape (modes,)
-
-
-Body = tuple[float, Any, Any]
-"""Mass [kg], CG [m] and inertia about it [kg m2] of a rigid body, shapes (), (3,) and (3, 3)."""
 
 
 class Links(NamedTuple):
@@ -86,17 +83,6 @@ def _piece(shaft: Shaft, length: float, low: float, high: float) -> Body:
     onto = np.outer(shaft.axis, shaft.axis)
     inertia = density @ ((at - cg) ** 2 + gyration) * (np.eye(3) - onto) + 2.0 * density @ gyration * onto
     return mass, -cg * np.array(shaft.axis), inertia
-
-
-def combined(one: Body, other: Body) -> Body:
-    """Return two bodies as one."""
-    mass = one[0] + other[0]
-    cg = (one[0] * one[1] + other[0] * other[1]) / mass
-    inertia = np.zeros((3, 3))
-    for own, place, about in (one, other):
-        away = place - cg
-        inertia = inertia + about + own * (away @ away * np.eye(3) - np.outer(away, away))
-    return mass, cg, inertia
 
 
 def _held_beam(shaft: Shaft, hands: float, **properties: Any) -> Beam:

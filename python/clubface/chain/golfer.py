@@ -29,6 +29,21 @@ SHOULDER = 0.129
 """Distance from spine to shoulder, relative to height (R. Drillis and R. Contini, 1966)."""
 
 
+Body = tuple[float, Any, Any]
+"""Mass [kg], CG [m] and inertia about it [kg m2] of a rigid body, shapes (), (3,) and (3, 3)."""
+
+
+def combined(one: Body, other: Body) -> Body:
+    """Return two bodies as one."""
+    mass = one[0] + other[0]
+    cg = (one[0] * one[1] + other[0] * other[1]) / mass
+    inertia = np.zeros((3, 3))
+    for own, place, about in (one, other):
+        away = place - cg
+        inertia = inertia + about + own * (away @ away * np.eye(3) - np.outer(away, away))
+    return mass, cg, inertia
+
+
 @dataclass(frozen=True, kw_only=True)
 class Segment:
     """A rigid body and the hinge that connects it to the previous one, in the reference pose.
@@ -153,32 +168,30 @@ class GolferBody:
         target, normal = np.array([1.0, 0.0, 0.0]), np.array([0.0, math.cos(lie), math.sin(lie)])
         scale = height / DE_LEVA_HEIGHT
         # The middle of the grip is at the hand's CG, and the hand rotates with the club about the wrist.
-        wrist = HAND[2] * HAND[1] * scale
-        parts, length = [], wrist
-        for part, size, cg, across, along in (FOREARM, UPPER_ARM):
-            own = size * scale
-            parts.append((part * mass, length + (1.0 - cg) * own, part * mass * (across * own) ** 2,
-                          part * mass * (along * own) ** 2))  # fmt: skip
-            length += own
-        arm = sum(each[0] for each in parts)
-        centre = sum(each[0] * each[1] for each in parts) / arm
-        across = sum(each[2] + each[0] * (each[1] - centre) ** 2 for each in parts)
-        along = sum(each[3] for each in parts)
-        onto = np.outer(up, up)
-        hand, hand_size = HAND[0] * mass, HAND[1] * scale
-        hand_inertia = hand * hand_size**2 * (HAND[3] ** 2 * (np.eye(3) - onto) + HAND[4] ** 2 * onto)
+        wrist = length = HAND[2] * HAND[1] * scale
+
+        def body(part: tuple[float, ...], cg: Any, axis: Any) -> Body:
+            """Return a part of the golfer with its CG [m] and the direction of its long axis."""
+            share, size, _, across, along = part
+            onto, own = np.outer(axis, axis), share * mass
+            return own, cg, own * (size * scale) ** 2 * (across**2 * (np.eye(3) - onto) + along**2 * onto)
+
+        arms = []
+        for part in (FOREARM, UPPER_ARM):
+            arms.append(body(part, (length + (1.0 - part[2]) * part[1] * scale) * up, up))
+            length += part[1] * scale
         shoulder = length * up
         hub = shoulder - SHOULDER * height * target
-        trunk, size = TRUNK[0] * mass, TRUNK[1] * scale
         # The trunk rotates about its own long axis, which is identified with the hinge axis.
-        spine = np.outer(normal, normal)
-        trunk_inertia = trunk * size**2 * (TRUNK[4] ** 2 * spine + TRUNK[3] ** 2 * (np.eye(3) - spine))
+        bodies = {
+            "torso": (hub, body(TRUNK, hub, normal)),
+            "arm": (shoulder, combined(*arms)),
+            "club": (wrist * up, body(HAND, np.zeros(3), up)),
+        }
         return cls(
-            segments=(
-                Segment(name="torso", joint=hub, axis=normal, mass=trunk, cg=hub, inertia=trunk_inertia),
-                Segment(name="arm", joint=shoulder, axis=normal, mass=arm, cg=centre * up,
-                        inertia=across * (np.eye(3) - onto) + along * onto),
-                Segment(name="club", joint=wrist * up, axis=normal, mass=hand, inertia=hand_inertia),
+            segments=tuple(
+                Segment(name=name, joint=joint, axis=normal, mass=own, cg=cg, inertia=inertia)
+                for name, (joint, (own, cg, inertia)) in bodies.items()
             ),
             start=tuple(units.parse(each, "angle", name="start") for each in start),
             onset=onset, rise_time=rise_time, maximum_torque=maximum_torque, maximum_speed=maximum_speed,

@@ -13,8 +13,8 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from clubface.chain.flexible import FlexibleShaft, combined, links_of
-from clubface.chain.golfer import GolferBody
+from clubface.chain.flexible import FlexibleShaft, links_of
+from clubface.chain.golfer import GolferBody, combined
 from clubface.equipment.clubs import Club
 from clubface.equipment.shafts import Shaft
 

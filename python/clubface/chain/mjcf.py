@@ -8,8 +8,8 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from clubface.chain.flexible import Body, held_length, links_of
-from clubface.chain.golfer import GolferBody
+from clubface.chain.flexible import held_length, links_of
+from clubface.chain.golfer import Body, GolferBody
 from clubface.chain.mechanics import GRAVITY
 from clubface.equipment.clubs import Club
 from clubface.equipment.shafts import Shaft
