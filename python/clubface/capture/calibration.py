@@ -33,7 +33,7 @@ from clubface.capture.rotations import (
     delivered,
     exponential,
     fit_poses,
-    pose_information,
+    shape_covariance,
     skew,
     visible,
 )
@@ -64,9 +64,9 @@ def given_positions(mapping: MarkerMap, club: Club) -> Registration:
     """Return the registration for marker positions given in the mapping."""
     names = tuple(mapping.cluster)
     shape = np.array([mapping.cluster[name] for name in names], dtype=np.float64) + np.array(club.cg)
-    covariance = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
+    covariance = shape_covariance(shape) * mapping.position_deviation**2
     parts = Known("markers from the face centre", "given", "toe", deviations=[mapping.position_deviation])
-    return Registration(names, shape, covariance * mapping.position_deviation**2, float("nan"), geometry=(parts,))
+    return Registration(names, shape, covariance, float("nan"), geometry=(parts,))
 
 
 def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array) -> Registration:
@@ -105,13 +105,8 @@ def calibrated(mapping: MarkerMap, club: Club, recording: Recording, turn: Array
     shape = np.nanmean(turned[:, counts > 0], axis=0)
     # The face points' frame scatters with noise; errors in their positions are the same in every frame.
     noise = mapping.noise if mapping.noise is not None else _scatter(turned)
-    frames = float(whole.sum())
-    face_part = np.linalg.inv(pose_information(local, np.eye(3)[None], np.ones((1, len(local))))[0])
-    shape_part = np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
-    covariance = (
-        face_part * (noise**2 / frames + mapping.position_deviation**2)
-        + shape_part * noise**2 / counts[counts > 0].min()
-    )
+    covariance = shape_covariance(local) * (noise**2 / float(whole.sum()) + mapping.position_deviation**2)
+    covariance += shape_covariance(shape) * noise**2 / counts[counts > 0].min()
     about_cg = np.eye(6)
     about_cg[:3, 3:] = skew(np.array(club.cg))
     notes = (note("capture-markers-not-calibrated", markers=absent),) if absent else ()

@@ -185,6 +185,11 @@ def degrees_of_freedom(residuals: Array) -> NDArray[np.int64]:
     return np.maximum(3 * visible(residuals).sum(-1) - 6, 0)
 
 
+def shape_covariance(shape: Array) -> Array:
+    """Return the covariance of position and rotation of a cluster at rest, for markers with unit noise [1 m]."""
+    return np.linalg.inv(pose_information(shape, np.eye(3)[None], np.ones((1, len(shape))))[0])
+
+
 def pose_information(shape: Any, rotation: Any, seen: Any) -> Array:
     """Return the information on position and rotation in markers with unit noise [1 m], shape (frames, 6, 6).
 

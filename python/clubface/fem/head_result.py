@@ -27,18 +27,10 @@ def head_result(
     stress: ImpactStress | None = None,
     inputs: Mapping[str, str] | None = None,
 ) -> Result:
-    """Return a head as a result.
+    """Return a head as a result, with simulated tests and the stress in an impact if given.
 
-    Parameters
-    ----------
-    head
-        The head.
-    tests
-        Simulated restitution and characteristic time [s], by name.
-    stress
-        Stress in an impact.
-    inputs
-        Inputs of the tests and the impact as text: "impact_speed", "toe", "ball".
+    ``tests`` are restitution and characteristic time [s], by name; ``inputs`` are those of the tests and the impact as
+    text: "impact_speed", "toe", "ball".
     """
     asked = dict(head.asked) if isinstance(head, ShellHead) else {}
     measured, inputs = dict(tests or {}), dict(inputs or {})

@@ -56,26 +56,14 @@ class Equivalent(NamedTuple):
 def equivalent(run: Impact, model: str = "volumetric") -> Equivalent:
     """Fit a simple model to the ball speed and peak force of a finite element impact.
 
-    These two figures determine stiffness and damping; the shape and duration of the force are then predictions.
-
-    Parameters
-    ----------
-    run
-        A complete impact with a head.
-    model
-        One of ``LAWS``.
-
-    Raises
-    ------
-    InputError
-        The impact was with a plane or ended early, or the model has no stiffness and damping.
+    These two figures determine stiffness and damping; the shape and duration of the force are then predictions. Raises
+    InputError if the impact was with a plane or ended early, or the model is not one of ``LAWS``.
     """
     if model not in LAWS:
         raise InputError("model", model, f"one of {', '.join(LAWS)}")
     if run.equipment is None or run.stopped is not None:
-        raise InputError(
-            "impact", Wording("one with a plane, or one that ended early"), "a complete impact with a head"
-        )
+        shown = Wording("one with a plane, or one that ended early")
+        raise InputError("impact", shown, "a complete impact with a head")
     club, ball = run.equipment
     wanted = np.log([run.outcome()["ball_speed"], _normal_force(run)[1].max()])
     names = LAWS[model]

@@ -239,19 +239,8 @@ def swing(club: Club, chain: Chain, asked: Mapping[str, float], model: str = DEF
 
     The chain is run faster or slower to match the speed, and rotated as a whole to match the direction. The head is
     mounted on its end to match the attitude, and the ball is placed at its first touch. The angular rates are the
-    chain's.
-
-    Parameters
-    ----------
-    club
-        The club.
-    chain
-        Motion before impact.
-    asked
-        Requested ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe``, ``high`` [SI], for a
-        right-hander.
-    model
-        Impact model, with its published parameters.
+    chain's. The requested values are ``speed``, ``attack``, ``path``, ``loft``, ``face``, ``lie``, ``toe`` and ``high``
+    [SI], for a right-hander. The impact model has its published parameters.
     """
     chain = chain.faster(asked["speed"] / float(np.linalg.norm(motion(chain)[2])))
     position, rotation, velocity, spin = motion(chain)
