@@ -57,12 +57,14 @@ class Shaft(EquipmentItem):
     """A shaft as a beam on a right-handed club, in SI units and the axes of :class:`clubface.Club`.
 
     Each list has one value per station, from the tip, where the shaft leaves the hosel, to the butt; values are linear
-    between stations. The mass per length is in kg/m; bending and torsional stiffness are EI and GJ [N m2]. The mean
-    diameter of the wall [m] determines rotary inertia, and by default axial stiffness, EA = 8 EI / diameter² [N], as in
-    a tube of one material. The vector from the face centre to the tip is ``hosel`` [m]. At address the shaft has the
-    angle ``lie`` to the ground [rad] and leans away from the toe. The hands hold the butt "free", "pinned" with the
-    rotational ``grip_stiffness`` [N m/rad], or "clamped"; ``grip_mass`` is that of grip and hands [kg]. ``sources``
-    gives the source of each value, by field.
+    between stations. The ``position`` of a station is its distance from the tip [m], 0 for the first. The mass per
+    length is in kg/m; bending and torsional stiffness are EI and GJ [N m2]. The mean diameter of the wall [m]
+    determines rotary inertia, and by default axial stiffness, EA = 8 EI / diameter² [N], as in a tube of one material.
+
+    The vector from the face centre to the tip is ``hosel`` [m]. At address the shaft has the angle ``lie`` to the
+    ground [rad] and leans away from the toe. The hands hold the butt "free", "pinned" with the rotational
+    ``grip_stiffness`` [N m/rad], or "clamped"; ``grip_mass`` is that of grip and hands [kg]. ``sources`` gives the
+    source of each value, by field.
     """
 
     SOURCE_GROUPS: ClassVar = {"hosel": ("hosel_x", "hosel_y", "hosel_z")}
