@@ -4,7 +4,7 @@ import warnings
 
 import pytest
 
-from clubface import __version__, fem
+from clubface import __version__, design, fem
 from clubface.cli import options
 from clubface.design import shells
 from clubface.errors import InputError
@@ -42,6 +42,7 @@ def test_finite_elements_take_the_ball_by_the_name_that_it_had():
 
 @pytest.mark.parametrize(("module", "old", "new"), [
     (shells, "Blow", "FaceImpact"), (stress, "BlowStress", "ImpactStress"), (stress, "blow_stress", "impact_stress"),
+    (design, "Doubts", "SpreadSensitivity"),
 ])  # fmt: skip
 def test_a_module_has_its_names_by_their_old_ones_with_a_warning(module, old, new):
     with pytest.warns(DeprecationWarning, match=f"{module.__name__}.{old} is called {new} now"):

@@ -328,8 +328,8 @@ def _value_column(best_loft: BestLoft, name: str, *, printed: bool = True) -> Co
 def _extra_columns(best_loft: BestLoft, *, printed: bool = True) -> list[Column]:
     return [
         column("total", best_loft.total, printed=False),
-        column("within_below", best_loft.within[:, 0], "loft", label="as good down to (less)", printed=printed),
-        column("within_above", best_loft.within[:, 1], "loft", label="as good up to (more)", printed=printed),
+        column("within_below", best_loft.within[:, 0], "loft", label="margin, less loft", printed=printed),
+        column("within_above", best_loft.within[:, 1], "loft", label="margin, more loft", printed=printed),
     ]
 
 

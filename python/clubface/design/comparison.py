@@ -468,9 +468,9 @@ def read_deliveries(
     try:
         columns = layout(reader.headings, reader.path, reader.header_line, given_units=given)
         naming = [place for place, each in enumerate(columns.headings) if plain_name(each) in NAMES]
-        if note is not None:
-            for text in (*reader.notes, *columns.notes):
-                note(str(text))
+        remark = note or (lambda text: None)
+        for text in (*reader.notes, *columns.notes):
+            remark(str(text))
         result: dict[str, dict[str, float]] = {}
         for chunk in reader.chunks(most + 1, 0):
             for reject in chunk.ragged:
@@ -479,8 +479,7 @@ def read_deliveries(
             summaries = summaries_in(chunk, columns)
             for row, line in enumerate(chunk.lines):
                 if row in summaries:
-                    if note is not None:
-                        note(f"{reader.counts} {line}: {summaries[row]}")
+                    remark(f"{reader.counts} {line}: {summaries[row]}")
                     continue
                 for _, _, missing in values.values():
                     if row in missing:

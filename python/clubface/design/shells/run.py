@@ -195,11 +195,7 @@ def _search(
     metal: MetalChoice,
 ) -> Search:
     goal, whole = study.goal(metal), study.designs * len(study.choices)
-
-    def count(done: int, _: int) -> None:
-        if progress is not None:
-            progress(number * study.designs + done, whole)
-
+    count = progress and (lambda done, _: progress(number * study.designs + done, whole))
     try:
         result = trust_region_search(
             lambda place: fast(study.at(place, metal)),
