@@ -47,28 +47,14 @@ TABLE = table_option("Write the main table to this CSV or Parquet file.")
 
 @dataclass(frozen=True)
 class Output:
-    """The destinations of a result.
+    """The destinations of a result."""
 
-    Attributes
-    ----------
-    as_json
-        Whether JSON is printed instead of tables.
-    target
-        The file of the main table.
-    plot, report
-        Files of the picture and the report.
-    folder
-        The folder of tables and pictures.
-    units
-        Display units by quantity.
-    """
-
-    as_json: bool = False
-    target: str | None = None
-    plot: str | None = None
+    as_json: bool = False  # whether JSON is printed instead of tables
+    target: str | None = None  # file of the main table
+    plot: str | None = None  # file of the picture
     report: str | None = None
-    folder: str | None = None
-    units: Mapping[str, str] = field(default_factory=dict)
+    folder: str | None = None  # of tables and pictures
+    units: Mapping[str, str] = field(default_factory=dict)  # for display, by quantity
 
     @classmethod
     def check(

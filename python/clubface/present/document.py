@@ -17,21 +17,11 @@ from clubface.support.files import write_text
 
 
 class Data(NamedTuple):
-    """The numbers behind a picture or table, which a reader can save as CSV.
+    """The numbers behind a picture or table, which a reader can save as CSV."""
 
-    Attributes
-    ----------
-    name
-        Name of the file, without extension.
-    headings
-        One heading per column, with its unit: "carry (yd)".
-    rows
-        Numbers, texts, or None for unknown values.
-    """
-
-    name: str
-    headings: Sequence[str]
-    rows: Sequence[Sequence[Any]]
+    name: str  # of the file, without extension
+    headings: Sequence[str]  # with units: "carry (yd)"
+    rows: Sequence[Sequence[Any]]  # numbers, texts, or None for unknown values
 
     def as_csv(self) -> str:
         """Return the data as the text of a CSV file, numbers with all their digits."""

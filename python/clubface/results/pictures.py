@@ -28,29 +28,13 @@ slope in ``values``; ``text`` writes ``texts``; ``shade`` fills the panel from `
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis of a panel.
+    """An axis of a panel."""
 
-    Attributes
-    ----------
-    quantity
-        The quantity shown; None for names or plain numbers.
-    label
-        Text of the label, without the unit, which is added. Default: the label of the quantity.
-    unit
-        Unit in which it is drawn. Default: the golf unit of the quantity.
-    limits
-        Ends of the axis [SI]; None for an end chosen automatically.
-    names
-        Words at the positions 0, 1, 2, ... in place of numbers.
-    reversed, logarithmic
-        Direction and scale of the axis.
-    """
-
-    quantity: Quantity | None = None
-    label: str = ""
-    unit: str | None = None
-    limits: tuple[float | None, float | None] = (None, None)
-    names: Sequence[str] | None = None
+    quantity: Quantity | None = None  # None for names or plain numbers
+    label: str = ""  # without the unit, which is added; default: that of the quantity
+    unit: str | None = None  # in which it is drawn; default: the golf unit of the quantity
+    limits: tuple[float | None, float | None] = (None, None)  # ends of the axis [SI]; None for one chosen automatically
+    names: Sequence[str] | None = None  # words at the positions 0, 1, 2, ... in place of numbers
     reversed: bool = False
     logarithmic: bool = False
     ticks: bool = True
@@ -70,23 +54,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Mark:
-    """Something drawn in a panel; see :data:`MarkKind` for the data of each kind.
-
-    Attributes
-    ----------
-    label
-        Entry in the legend; marks with the same label share an entry.
-    style
-        The name of a model, which sets colour and dash, or a number of the palette; -1 is grey, -2 black, -3 white.
-    symbol
-        Shape of points: "o", "s", "+", ...; "" for small dots where there are many points.
-    dash
-        Number of a dash pattern. Default: the dash of the style.
-    hollow, faint
-        Filling of points or areas.
-    within
-        Corners of the outline that clips a contour, shape [n, 2].
-    """
+    """Something drawn in a panel; see :data:`MarkKind` for the data of each kind."""
 
     kind: MarkKind
     x: Any = None
@@ -97,81 +65,47 @@ class Mark:
     y1: Any = None
     values: Any = None
     texts: Sequence[str] = ()
-    label: str = ""
-    style: str | int = 0
-    symbol: str = "o"
+    label: str = ""  # entry in the legend; marks with the same label share an entry
+    style: str | int = 0  # name of a model, or a number of the palette; -1 is grey, -2 black, -3 white
+    symbol: str = "o"  # "o", "s", "+", ...; "" for small dots where there are many points
     size: float | None = None
-    dash: int | None = None
+    dash: int | None = None  # number of a dash pattern; default: that of the style
     hollow: bool = False
     faint: bool = False
-    within: Any = None
+    within: Any = None  # corners of the outline that clips a contour, shape [n, 2]
 
 
 @dataclass(frozen=True)
 class Panel:
-    """One plot of a picture.
-
-    Attributes
-    ----------
-    equal
-        Whether both axes have the same scale.
-    aspect
-        Scale of the y axis over that of the x axis. Default: free.
-    values
-        Axis of the colour bar of contours and cells; ``diverging`` for colours that diverge from zero.
-    legend
-        Whether it has a legend of its own; otherwise its marks appear in the legend of the picture.
-    tall
-        Whether it extends down over the empty positions below it.
-    """
+    """One plot of a picture."""
 
     marks: Sequence[Mark]
     x: Axis = field(default_factory=Axis)
     y: Axis = field(default_factory=Axis)
     title: str = ""
-    equal: bool = False
-    aspect: float | None = None
-    values: Axis | None = None
-    diverging: bool = False
-    legend: bool = False
+    equal: bool = False  # whether both axes have the same scale
+    aspect: float | None = None  # scale of the y axis over that of the x axis; default: free
+    values: Axis | None = None  # of the colour bar of contours and cells
+    diverging: bool = False  # whether colours diverge from zero
+    legend: bool = False  # of its own; otherwise its marks appear in that of the picture
     grid: bool = True
-    tall: bool = False
+    tall: bool = False  # whether it extends down over the empty positions below it
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture.
+    """A picture."""
 
-    Attributes
-    ----------
-    name
-        Name of its file.
-    caption
-        Description of what it shows.
-    rows
-        Panels, row by row; None leaves a position empty. The panels of a shorter row are wider.
-    title
-        Title above the panels.
-    heights, widths
-        Relative sizes of rows and columns.
-    height
-        Height [inches]. Default: by the number of rows.
-    share_x, share_y
-        Whether the panels of a column share the x axis, or those of a row the y axis.
-    legend
-        Whether a legend of all labels is drawn above the panels.
-    """
-
-    name: str
-    caption: str
-    rows: Sequence[Sequence[Panel | None]]
-    title: str = ""
-    heights: Sequence[float] | None = None
-    widths: Sequence[float] | None = None
-    height: float | None = None
-    share_x: bool = False
-    share_y: bool = False
-    legend: bool = False
+    name: str  # of its file
+    caption: str  # what it shows
+    rows: Sequence[Sequence[Panel | None]]  # None leaves a position empty; the panels of a shorter row are wider
+    title: str = ""  # above the panels
+    heights: Sequence[float] | None = None  # relative sizes of the rows
+    widths: Sequence[float] | None = None  # relative sizes of the columns
+    height: float | None = None  # [inches]; default: by the number of rows
+    share_x: bool = False  # whether the panels of a column share the x axis
+    share_y: bool = False  # whether the panels of a row share the y axis
+    legend: bool = False  # whether a legend of all labels is drawn above the panels
     footnote: str = ""
 
     def in_units(self, shown_units: Mapping[str, str]) -> Picture:

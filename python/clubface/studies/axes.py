@@ -30,58 +30,27 @@ INTERVAL = 'an interval such as {from = "90 mph", to = "120 mph"}, or a list'
 
 
 class Swept(NamedTuple):
-    """Description of an input that may be swept.
+    """Description of an input that may be swept."""
 
-    Attributes
-    ----------
-    unit
-        SI unit, or None for an input with names, such as a club.
-    choices
-        Allowed names; empty for any text, or for numbers.
-    group
-        Prefix allowed in column names of a table, as in ``air_temperature``.
-    limits
-        Smallest and largest value of a count; None for any number.
-    """
-
-    unit: str | None
-    choices: tuple[str, ...] = ()
-    group: str = ""
-    limits: tuple[int, int] | None = None
+    unit: str | None  # SI unit; None for an input with names, such as a club
+    choices: tuple[str, ...] = ()  # allowed names; empty for any text, or for numbers
+    group: str = ""  # prefix allowed in column names of a table, as in air_temperature
+    limits: tuple[int, int] | None = None  # smallest and largest value of a count; None for any number
 
 
 @dataclass(frozen=True, kw_only=True)
 class SweepAxis:
-    """One swept input.
-
-    Attributes
-    ----------
-    name
-        The input.
-    unit
-        SI unit; None for names, whose indices in ``choices`` are then the values.
-    choices
-        The names.
-    values
-        The values [SI] of a list.
-    ends
-        First and last value [SI] of evenly spaced values or of an interval.
-    count
-        Number of values; None for an interval.
-    spacing
-        For evenly spaced values that integers can represent: first value and step over a common denominator, and unit.
-    whole
-        Whether an interval contains only whole numbers.
-    """
+    """One swept input."""
 
     name: str
-    unit: str | None
-    choices: tuple[str, ...] = ()
-    values: tuple[float, ...] = ()
-    ends: tuple[float, float] = (0.0, 0.0)
-    count: int | None = None
+    unit: str | None  # SI unit; None for names
+    choices: tuple[str, ...] = ()  # the names, whose indices are then the values
+    values: tuple[float, ...] = ()  # of a list [SI]
+    ends: tuple[float, float] = (0.0, 0.0)  # first and last of evenly spaced values, or of an interval [SI]
+    count: int | None = None  # None for an interval
     spacing: tuple[int, int, int, str] | None = None
-    whole: bool = False
+    """For evenly spaced values that integers can represent: first value and step, common denominator, and unit."""
+    whole: bool = False  # whether an interval contains only whole numbers
 
     def at(self, places: NDArray[Any]) -> NDArray[Any]:
         """Return the values at indices from 0; evenly spaced values equal those written out as a list."""

@@ -29,18 +29,10 @@ BITS = 32
 
 
 class Design(Protocol):
-    """The tasks of a study.
+    """The tasks of a study."""
 
-    Attributes
-    ----------
-    axes
-        The swept inputs.
-    count
-        Number of tasks.
-    """
-
-    axes: tuple[SweepAxis, ...]
-    count: int
+    axes: tuple[SweepAxis, ...]  # the swept inputs
+    count: int  # number of tasks
 
     def values(self, tasks: range) -> dict[str, NDArray[Any]]:
         """Return the inputs of consecutive tasks by name: SI values, or indices into an axis's choices."""

@@ -51,18 +51,10 @@ REMEDY = "give another folder with --store, or remove this one"
 
 @dataclass(frozen=True)
 class Names:
-    """A column of names.
+    """A column of names."""
 
-    Attributes
-    ----------
-    choices
-        The distinct names.
-    codes
-        Index of each entry in ``choices``, int64.
-    """
-
-    choices: tuple[str, ...]
-    codes: NDArray[Any]
+    choices: tuple[str, ...]  # distinct
+    codes: NDArray[Any]  # index of each entry in the choices, int64
 
     def __len__(self) -> int:
         return len(self.codes)
@@ -76,13 +68,8 @@ Values = Mapping[str, "NDArray[Any] | Names"]
 class StudyStore:
     """The store of a study.
 
-    Attributes
-    ----------
-    folder
-        The folder.
-    record
-        ``content`` (fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in total and per chunk),
-        ``axes``, ``columns``, ``histories`` if any, and ``provenance``, which every part repeats.
+    Its record has ``content`` (fingerprints of the study), ``name``, ``count`` and ``chunk`` (tasks in total and per
+    chunk), ``axes``, ``columns``, ``histories`` if any, and ``provenance``, which every part repeats.
     """
 
     folder: Path
@@ -347,15 +334,7 @@ def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]
 
 
 class ParquetFormat:
-    """Parquet format of columns: numbers as float64 with units, names as a dictionary.
-
-    Attributes
-    ----------
-    schema
-        Schema for a ``ParquetWriter``.
-    options
-        Options for fast writing and small files: few numbers are equal, but many share their first bytes.
-    """
+    """Parquet format of columns: numbers as float64 with units, names as a dictionary."""
 
     def __init__(self, units: Mapping[str, str | None], metadata: Mapping[bytes, bytes]) -> None:
         self._arrow = arrow = pyarrow_for("")
@@ -365,6 +344,7 @@ class ParquetFormat:
             for name, unit in units.items()
         ]
         self.schema = arrow.schema(fields, metadata)
+        # For fast writing and small files: few numbers are equal, but many share their first bytes.
         self.options = {
             "compression": "snappy",
             "write_statistics": False,

@@ -33,36 +33,18 @@ CLUBS = tuple(HEADS)
 
 
 class Spread(NamedTuple):
-    """Variation of one delivery quantity, in SI units.
+    """Variation of one delivery quantity, in SI units."""
 
-    Attributes
-    ----------
-    mean
-        Mean over all players.
-    between
-        Standard deviation of the players' means.
-    within
-        Standard deviation of the shots of one player.
-    """
-
-    mean: float
-    between: float
-    within: float
+    mean: float  # over all players
+    between: float  # standard deviation of the players' means
+    within: float  # standard deviation of the shots of one player
 
 
 class MixtureComponent(NamedTuple):
-    """One model of the mixture.
+    """One model of the mixture."""
 
-    Attributes
-    ----------
-    restitution
-        Restitution at the face centre and the speed given in the recipe.
-    changed
-        Parameters that differ from the published ones [SI].
-    """
-
-    restitution: float
-    changed: dict[str, float]
+    restitution: float  # at the face centre and the speed given in the recipe
+    changed: dict[str, float]  # parameters that differ from the published ones [SI]
 
 
 class Recipe(NamedTuple):

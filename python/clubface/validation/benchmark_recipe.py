@@ -210,28 +210,14 @@ TRUE_DIGITS = 5
 
 
 class Made(NamedTuple):
-    """The shots of one club, in SI units, one element per shot.
+    """The shots of one club, in SI units, one element per shot."""
 
-    Attributes
-    ----------
-    player
-        Number of the player, from 1.
-    model
-        The model behind the launch.
-    restitution
-        Added to its restitution, for scatter of the ball and impact location.
-    true_delivery, true_launch
-        True values.
-    delivery, launch
-        Measured values.
-    """
-
-    player: NDArray[np.int64]
-    model: NDArray[Any]
-    restitution: Floats
+    player: NDArray[np.int64]  # number from 1
+    model: NDArray[Any]  # behind the launch
+    restitution: Floats  # added to the model's, for scatter of the ball and impact location
     true_delivery: dict[str, Floats]
     true_launch: dict[str, Floats]
-    delivery: dict[str, Floats]
+    delivery: dict[str, Floats]  # measured, as the launch
     launch: dict[str, Floats]
 
 

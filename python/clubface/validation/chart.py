@@ -33,46 +33,26 @@ STANDARD = "standard"
 
 
 class Errors(NamedTuple):
-    """Errors of a model against the chart: mean, mean magnitude and standard deviation.
-
-    Attributes
-    ----------
-    model, struck
-        The model, and a description of the impact location.
-    ball_speed, spin
-        Relative errors.
-    launch
-        Errors [rad].
-    """
+    """Errors of a model against the chart: mean, mean magnitude and standard deviation."""
 
     model: str
-    struck: str
-    ball_speed: tuple[float, float, float]
-    launch: tuple[float, float, float]
-    spin: tuple[float, float, float]
+    struck: str  # description of the impact location
+    ball_speed: tuple[float, float, float]  # relative
+    launch: tuple[float, float, float]  # [rad]
+    spin: tuple[float, float, float]  # relative
 
 
 @dataclass(frozen=True)
 class Chart(Described):
     """The chart compared with models.
 
-    Attributes
-    ----------
-    drives
-        Number of drives.
-    ratio
-        Mean and standard deviation of I w/(m R v_t), where v_t is the ball's velocity along the face: 1 for a rigid
-        ball that rolls off a face at rest.
-    loft
-        RMS difference [rad] between the chart's lofts and those computed from launch, ball speed and spin with the mean
-        ratio.
-    errors
-        Errors of the models.
+    The ratio I w/(m R v_t), where v_t is the ball's velocity along the face, is 1 for a rigid ball that rolls off a
+    face at rest.
     """
 
-    drives: int
-    ratio: tuple[float, float]
-    loft: float
+    drives: int  # number of them
+    ratio: tuple[float, float]  # mean and standard deviation
+    loft: float  # RMS difference of the chart's lofts and those from launch, speed, spin and mean ratio [rad]
     errors: list[Errors]
 
     def to_result(self) -> Result:

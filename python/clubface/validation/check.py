@@ -108,17 +108,7 @@ def figure(
 
 
 class ModelUnderTest:
-    """The model under test, with its ball.
-
-    Attributes
-    ----------
-    model
-        Name of the model.
-    ball
-        As for :func:`clubface.impact`.
-    tally
-        Counts shots outside the model's range.
-    """
+    """The model under test, with its ball; ``tally`` counts shots outside the model's range."""
 
     def __init__(
         self, model: str, ball: str | os.PathLike[str] | Ball | None = None, tally: Tally | None = None

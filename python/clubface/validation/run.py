@@ -26,39 +26,20 @@ from clubface.validation.check import Check, Figure, ModelUnderTest, reading
 
 
 class CheckSummary(NamedTuple):
-    """The errors of one model in one quantity of a check.
-
-    Attributes
-    ----------
-    quantity, unit
-        Name and unit of the quantity; relative errors have the unit "%".
-    figures
-        Number of figures.
-    inside, intervals
-        Number of figures inside the published interval, and number with an interval.
-    within
-        Number of figures within the tolerance.
-    median, mean, bias, worst
-        Median and mean absolute error, mean error, and error of largest magnitude, in SI or relative; NaN if the model
-        does not compute the quantity.
-    tolerances
-        Smallest and largest tolerance of the figures, in SI or relative.
-    scaled
-        Mean absolute error over tolerance.
-    """
+    """The errors of one model in one quantity of a check, in SI or relative; NaN if the model does not compute it."""
 
     quantity: str
-    unit: str
-    figures: int
-    inside: int
-    intervals: int
-    within: int
-    median: float
-    mean: float
-    bias: float
-    worst: float
-    tolerances: tuple[float, float]
-    scaled: float
+    unit: str  # "%" for relative errors
+    figures: int  # number of figures
+    inside: int  # number of figures inside the published interval
+    intervals: int  # number of figures with an interval
+    within: int  # number of figures within the tolerance
+    median: float  # of the absolute errors
+    mean: float  # of the absolute errors
+    bias: float  # mean error
+    worst: float  # error of largest magnitude
+    tolerances: tuple[float, float]  # smallest and largest
+    scaled: float  # mean absolute error over tolerance
 
     @property
     def known(self) -> bool:

@@ -114,19 +114,12 @@ class FileKey:
 class VariedFile:
     """A file with swept values.
 
-    Attributes
-    ----------
-    document
-        The file.
-    table
-        Schema of its content.
-    group
-        Prefix of top-level keys, as in ``ball_cube``. Keys in tables are named by table and key, as in
-        ``thickness_face_centre`` and ``trims_toe_x``, and keys of pieces by the piece, as in ``core_c10``.
+    Keys in tables are named by table and key, as in ``thickness_face_centre`` and ``trims_toe_x``, keys of pieces by
+    the piece, as in ``core_c10``, and keys at the top with the prefix ``group``, as in ``ball_cube``.
     """
 
     document: Document
-    table: Table
+    table: Table  # schema of its content
     group: str
 
     @cached_property
@@ -259,17 +252,7 @@ def _head_file(name: Any) -> VariedFile:
 
 
 class Variation:
-    """The changes of a task in files: values by full name.
-
-    Parameters
-    ----------
-    study
-        The study.
-    files
-        The files it may change.
-    known
-        Names of other inputs.
-    """
+    """The changes of a task in ``files``, by full name; ``known`` are the names of other inputs."""
 
     def __init__(self, study: DescribedStudy, files: Iterable[VariedFile], known: Collection[str]) -> None:
         keys = {name for each in files for name in each.keys}

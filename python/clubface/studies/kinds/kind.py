@@ -152,19 +152,10 @@ OUTPUTS = Items(TEXT, 1, allowed='a list of quantities, as in ["carry"]')
 class OneByOne:
     """Tasks computed one by one. See :class:`clubface.studies.kinds.kind.Task`.
 
-    Parameters
-    ----------
-    study
-        The study.
-    columns
-        Columns to keep.
-    compute
-        Takes the swept inputs, numbers [SI] and names, and returns all results [SI] by name, or functions that compute
-        them; without a result it raises an error. A history's name holds the arrays of its columns.
-    elements
-        Whether it uses finite elements, whose last digits depend on the processor.
-    histories
-        Histories to keep.
+    ``compute`` takes the swept inputs, numbers [SI] and names, and returns all results [SI] by name, or functions that
+    compute them; without a result it raises an error. A history's name holds the arrays of its columns. ``columns`` and
+    ``histories`` are those to keep. ``elements`` says that it uses finite elements, whose last digits depend on the
+    processor.
     """
 
     columns: Mapping[str, Column]

@@ -105,17 +105,7 @@ class Conditions:
 
 
 class ShotInputs:
-    """Shots of a study with fixed and swept inputs.
-
-    Attributes
-    ----------
-    choices
-        Names of inputs swept by name, in the order of the axes.
-    conditions
-        Air, wind and ground.
-    depends_on
-        As for :class:`clubface.studies.kinds.kind.Task`.
-    """
+    """Shots of a study with fixed and swept inputs."""
 
     def __init__(self, study: DescribedStudy, *, needs: Sequence[str] = ("club", "speed")) -> None:
         _check(study, needs)
