@@ -10,7 +10,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+import numpy as np
+
 from clubface.quantities import Quantity, quantity as quantity_named, unit_text
+from clubface.support.arrays import Floats
 
 MarkKind = Literal[
     "line", "points", "bars", "intervals", "band", "area", "stack", "steps", "contour", "cells", "outline", "rule",
@@ -126,6 +129,14 @@ class Picture:
     def panels(self) -> list[Panel]:
         """Return the panels, row by row."""
         return [each for row in self.rows for each in row if each is not None]
+
+
+def ellipse_about(points: Floats, deviations: float) -> Floats:
+    """Return the ellipse, shape (2, 121), so many standard deviations about the mean of points, shape (2, n)."""
+    sizes, directions = np.linalg.eigh(np.cov(points))
+    turn = np.linspace(0.0, 2.0 * np.pi, 121)
+    circle = np.sqrt(np.maximum(sizes, 0.0))[:, None] * np.array([np.cos(turn), np.sin(turn)])
+    return points.mean(axis=1)[:, None] + deviations * directions @ circle
 
 
 def axis(name: str | None = None, label: str = "", *, like: str | None = None, **options: Any) -> Axis:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from clubface.errors import InputError, Wording
 from clubface.quantities import quantity
 from clubface.results.notes import Note, note
-from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis, ellipse_about
 from clubface.results.result import Provenance, Result
 from clubface.results.table import Column, Table, column, row_names, table, text
 from clubface.shots.club_names import same_club
@@ -269,8 +269,5 @@ def _landings(shots: RecordedShots, club: ClubSummary, place: int) -> Iterator[M
     if far.size:
         yield Mark("points", x=far[0], y=far[1], label=MISHIT, style=-1, symbol="x", size=4.0)
     if points.shape[1] >= FEWEST:
-        sizes, directions = np.linalg.eigh(np.cov(points))
-        turn = np.linspace(0.0, 2.0 * np.pi, 73)
-        circle = np.sqrt(np.maximum(sizes, 0.0))[:, None] * np.array([np.cos(turn), np.sin(turn)])
-        x, y = points.mean(axis=1)[:, None] + directions @ circle
+        x, y = ellipse_about(points, 1.0)
         yield Mark("outline", x=x, y=y, style=place, dash=0, size=1.2)

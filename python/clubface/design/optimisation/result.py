@@ -25,7 +25,7 @@ from clubface.equipment.rules import RuleVerdict
 from clubface.errors import RuleWarning
 from clubface.quantities import Quantity, Reading
 from clubface.results.notes import Note, note
-from clubface.results.pictures import Axis, Mark, Panel, Picture, axis
+from clubface.results.pictures import Axis, Mark, Panel, Picture, axis, ellipse_about
 from clubface.results.result import Described, Provenance, Result
 from clubface.results.table import Column, Table, column, row_names, text
 from clubface.simulation.impact import impact
@@ -512,7 +512,7 @@ def landings_panel(landed: Mapping[str, Floats]) -> Panel:
     for style, (name, values) in enumerate(landed.items()):
         side, down = values[1], np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0))
         marks.append(Mark("points", side[:DRAWN_POINTS], down[:DRAWN_POINTS], style=style, symbol="", size=2.5))
-        ellipses.append(_ellipse(side, down))
+        ellipses.append(ellipse_about(np.array([side, down]), math.sqrt(-2.0 * math.log1p(-SHARE))))
         marks.append(Mark("line", *ellipses[-1], style=style, label=name))
     # The ellipses set the axis limits: a topped ball far behind would stretch the axes.
     drawn = np.hstack(ellipses)
@@ -523,15 +523,6 @@ def landings_panel(landed: Mapping[str, Floats]) -> Panel:
         axis("carry", "distance down the line", limits=(float(low), float(high))),
         f"Landings, with {SHARE:.0%} ellipses", equal=True, legend=True,
     )  # fmt: skip
-
-
-def _ellipse(side: Floats, down: Floats) -> Floats:
-    """Return the ellipse containing ``SHARE`` of normal shots with this covariance, shape (2, points)."""
-    values, vectors = np.linalg.eigh(np.cov(np.array([side, down])))
-    angle = np.linspace(0.0, 2.0 * math.pi, 200)
-    circle = np.array([np.cos(angle), np.sin(angle)]) * math.sqrt(-2.0 * math.log1p(-SHARE))
-    around = vectors @ (np.sqrt(np.maximum(values, 0.0))[:, None] * circle)
-    return np.array([[side.mean()], [down.mean()]]) + around
 
 
 def _front_panel(optimum: Optimum) -> Panel:
