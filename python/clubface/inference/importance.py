@@ -131,26 +131,11 @@ def sample(
     seed: int,
     progress: Callable[[float], object] | None = None,
 ) -> Sample:
-    """Sample a posterior.
+    """Sample a posterior: ``size`` points, resampled from twice as many effective draws.
 
-    Parameters
-    ----------
-    log_density
-        Function that returns the log-density, up to a constant, at points of shape (n, dimensions); NaN or minus
-        infinity for impossible points.
-    first
-        The first proposal: the prior or an approximation of the posterior.
-    size
-        Number of points to return, resampled from twice as many effective draws.
-    seed
-        Seed of the random numbers.
-    progress
-        Function called before each stage with the power reached, 0 to 1.
-
-    Raises
-    ------
-    FloatingPointError
-        No draw from the first proposal is possible.
+    ``log_density`` returns the log-density, up to a constant, at points of shape (n, dimensions), NaN or minus infinity
+    for impossible ones. The ``first`` proposal is the prior or an approximation of the posterior; FloatingPointError is
+    raised if none of its draws is possible. ``progress`` is called before each stage with the power reached, 0 to 1.
     """
     random, count = np.random.default_rng(seed), _stage_size(size)
     proposal = chosen = first

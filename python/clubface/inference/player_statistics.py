@@ -47,26 +47,15 @@ LAUNCHED = ("ball_speed", "launch", "azimuth", "backspin", "sidespin")
 class Inferred:
     """Deliveries of a club inferred from its launches, without mishits, SI.
 
-    Attributes
-    ----------
-    mean
-        Mean of each delivery quantity over the shots.
-    doubt
-        Standard deviation of each quantity for a single shot; more shots do not reduce the part that comes from the
-        prior.
-    shots
-        Number of shots.
-    refused
-        Number of shots that no delivery can produce.
-    remarked
-        Rows of shots with inconsistent values.
+    The ``doubt`` of a quantity is its standard deviation for a single shot; more shots do not reduce the part that
+    comes from the prior.
     """
 
-    mean: dict[str, float]
+    mean: dict[str, float]  # of each delivery quantity over the shots
     doubt: dict[str, float]
     shots: int
-    refused: int
-    remarked: tuple[int, ...]
+    refused: int  # number of shots that no delivery can produce
+    remarked: tuple[int, ...]  # rows of shots with inconsistent values
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,47 +71,24 @@ class DeliveryEffect:
 
 @dataclass(frozen=True, kw_only=True)
 class ClubStatistics:
-    """All statistics of one club.
+    """All statistics of one club; those by a model are None or empty without a built-in club or launch.
 
-    Attributes
-    ----------
-    name
-        Name of the club in the file.
-    player
-        The player if the shots are of several players, else "".
-    club
-        The built-in club that represents it, or None.
-    shots
-        Its shots.
-    measured
-        Statistics by quantity of launch, flight and delivery; includes the curve if start direction, carry and side are
-        known.
-    mishits
-        Outlying shots, each with the reason.
-    computed
-        Whether carry and side were computed from the launch in still air instead of measured.
-    inferred, changes
-        Inferred deliveries and effects of changes; None and empty without a club or launch.
-    start
-        Change of the start line per change of face and of path [rad/rad].
-    closing
-        First-order contribution of the closure rate to start line [rad] and sidespin [rad/s]; empty without changes.
-    launch
-        Launch of the mean shot by the model, to which changes are added; None without changes.
+    ``measured`` holds those of launch, flight and delivery by quantity, and the curve if start direction, carry and
+    side are known. ``closing`` is the first-order contribution of the closure rate to start line and sidespin.
     """
 
-    name: str
-    club: Club | None
+    name: str  # as in the file
+    club: Club | None  # the built-in club that represents it
     shots: RecordedShots
     measured: dict[str, Statistic]
     mishits: list[Mishit]
-    computed: bool
+    computed: bool  # whether carry and side were computed from the launch in still air instead of measured
     inferred: Inferred | None = None
     changes: tuple[DeliveryEffect, ...] = ()
-    start: dict[str, float] = field(default_factory=dict)
-    closing: dict[str, float] = field(default_factory=dict)
-    player: str = ""
-    launch: Launch | None = None
+    start: dict[str, float] = field(default_factory=dict)  # change of the start line by face and path [rad/rad]
+    closing: dict[str, float] = field(default_factory=dict)  # [rad, rad/s]
+    player: str = ""  # if the shots are of several players
+    launch: Launch | None = None  # of the mean shot by the model, to which changes are added
 
     @property
     def title(self) -> str:

@@ -37,15 +37,9 @@ Array = TypeVar("Array")
 
 
 class ArrayFunctions(ABC, Generic[Array]):
-    """The functions of a module such as :mod:`clubface.jax`; a subclass adds what is specific to its library.
+    """The functions of a module such as :mod:`clubface.jax`; a subclass adds what is specific to its library."""
 
-    Attributes
-    ----------
-    xp
-        Namespace of the library: ``sin``, ``stack`` and the other functions that all array libraries have.
-    """
-
-    xp: Any
+    xp: Any  # namespace of the library: ``sin``, ``stack`` and the other functions that all array libraries have
 
     def impact(
         self,

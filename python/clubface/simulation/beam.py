@@ -33,33 +33,18 @@ ROUNDING = 1e-9
 class Beam:
     """A straight beam from the tip, where the head is, to the butt; properties are linear between stations.
 
-    Attributes
-    ----------
-    position
-        Distances of the stations from the tip [m], from 0 to the length, shape (n,).
-    mass
-        Mass per length [kg/m], shape (n,).
-    bending, torsion, axial
-        EI [N m2], GJ [N m2] and EA [N], shape (n,).
-    gyration
-        Radius of gyration of the cross-section about a diameter [m], shape (n,).
-    grip
-        Boundary condition at the butt, one of ``GRIPS``.
-    grip_stiffness
-        Rotational stiffness of a pinned butt [N m/rad].
-    grip_mass
-        Mass at the butt [kg].
+    All arrays have shape (n,).
     """
 
-    position: NDArray[Any]
-    mass: NDArray[Any]
-    bending: NDArray[Any]
-    torsion: NDArray[Any]
-    axial: NDArray[Any]
-    gyration: NDArray[Any]
-    grip: str = "free"
-    grip_stiffness: float = 0.0
-    grip_mass: float = 0.0
+    position: NDArray[Any]  # distances of the stations from the tip [m], from 0 to the length
+    mass: NDArray[Any]  # per length [kg/m]
+    bending: NDArray[Any]  # EI [N m2]
+    torsion: NDArray[Any]  # GJ [N m2]
+    axial: NDArray[Any]  # EA [N]
+    gyration: NDArray[Any]  # radius of gyration of the cross-section about a diameter [m]
+    grip: str = "free"  # boundary condition at the butt, one of ``GRIPS``
+    grip_stiffness: float = 0.0  # rotational stiffness of a pinned butt [N m/rad]
+    grip_mass: float = 0.0  # at the butt [kg]
 
     def nodes(self, elements: int) -> NDArray[Any]:
         """Return the positions of about ``elements`` + 1 nodes [m], one of them at each station."""
@@ -138,30 +123,19 @@ def cross_matrix(vector: NDArray[Any]) -> NDArray[Any]:
 class Modes(NamedTuple):
     """Vibration modes of a head on its shaft, with unit modal mass.
 
-    Attributes
-    ----------
-    frequency
-        Angular frequencies in ascending order [rad/s], shape (n,); those of rigid-body motions are 0 up to rounding.
-    head
-        Velocity of the CG and angular velocity of the head in each mode, in the axes of the head, shape (6, n).
+    The angular frequencies [rad/s] ascend, shape (n,); those of rigid-body motions are 0 up to rounding.
     """
 
     frequency: NDArray[Any]
-    head: NDArray[Any]
+    head: NDArray[Any]  # velocity of the CG and angular velocity in each mode, in the axes of the head, shape (6, n)
 
     def mobility(self, time: float, matching: str = MATCHINGS[0]) -> NDArray[Any]:
         """Return the mobility matrix of the head under a half-sine pulse, shape (6, 6): its velocities per impulse.
 
         With x = w T / pi and s = cos(w T / 2)^2, a mode of frequency w ends with s / (1 - x^2) of the velocity that an
-        instantaneous impulse would give it, and has absorbed s / (1 - x^2)^2 of the work.
-
-        Parameters
-        ----------
-        time
-            Duration of the pulse [s].
-        matching
-            "motion" matches the velocity of the head at the end of the pulse, "work" the work done by the pulse. They
-            differ by the energy left as vibration.
+        instantaneous impulse would give it, and has absorbed s / (1 - x^2)^2 of the work. ``time`` is the duration T
+        [s]. ``matching`` "motion" matches the velocity of the head at the end of the pulse, "work" the work done by it;
+        they differ by the energy left as vibration.
         """
         ratio = self.frequency * time / math.pi
         # Both shares are smooth where the ratio is 1: 0 and (pi / 4)^2.
@@ -176,19 +150,10 @@ class Modes(NamedTuple):
         return (self.head * share) @ self.head.T
 
     def velocities(self, time: NDArray[Any], wrench: NDArray[Any]) -> NDArray[Any]:
-        """Return the velocities of the head under forces and moments that are linear between points in time.
+        """Return the velocity of the CG and the angular velocity [m/s, rad/s], starting from rest, shape (n, 6).
 
-        Parameters
-        ----------
-        time
-            Points in time, ascending [s], shape (n,).
-        wrench
-            Force and moment about the CG, in the axes of the head [N, N m], shape (n, 6).
-
-        Returns
-        -------
-        numpy.ndarray
-            Velocity of the CG and angular velocity [m/s, rad/s], starting from rest, shape (n, 6).
+        ``wrench`` holds force and moment about the CG, in the axes of the head [N, N m], shape (n, 6); they are linear
+        between the ascending points in ``time`` [s], shape (n,).
         """
         steps = np.diff(time)
         load = wrench @ self.head
@@ -273,10 +238,7 @@ def natural_modes(stiffness: NDArray[Any], mass: NDArray[Any]) -> tuple[NDArray[
 def added_inertia(total: NDArray[Any], head: NDArray[Any]) -> NDArray[Any]:
     """Return the spatial inertia that a mechanism adds to a head: total minus own, negative rounding set to 0.
 
-    Raises
-    ------
-    ValueError
-        In some motion the total is less than the head's own inertia, by more than rounding.
+    Raises ValueError if in some motion the total is less than the head's own inertia, by more than rounding.
     """
     # Scaled by a length, all elements are masses.
     length = math.sqrt(np.trace(head[3:, 3:]) / head[0, 0])

@@ -225,7 +225,6 @@ def check_conditions(air: AirLike | None, wind: Any, ground: GroundLike | None =
 
 def parse_input(value: Any, name: str) -> Any:
     """Return an input of a flight [SI], a number or an array; text is converted from its unit."""
-    """Return an input of a flight [SI], a number or an array."""
     return value if type(value) is float else units.parse_values(value, flight_inputs()[name].dimension, name=name)
 
 
@@ -304,8 +303,6 @@ class Flight(Batch):
         The launch of the ball, or None if it was given as numbers.
     shape
         Shape to which the inputs broadcast; () for a single flight.
-    problems
-        The flights without a result, whose values are NaN, with the reasons.
     """
 
     _kind = "flight"

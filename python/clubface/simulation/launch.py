@@ -67,12 +67,8 @@ class Launch(Batch):
         Name of the model.
     parameters
         The parameters used.
-    club, ball
-        The club and the ball.
     shape
         Shape to which the inputs broadcast; () for a single shot.
-    problems
-        The shots without a launch, whose values are NaN, with the reasons.
     """
 
     _kind = "launch"

@@ -229,15 +229,6 @@ class StruckBall:
     head_gives_way
         False for a head with prescribed motion, which does not react to the ball.
 
-    Attributes
-    ----------
-    motion
-        A :class:`BallMotion`.
-    phase
-        "waiting" before the contact, "contact", or "launched".
-    launch
-        Outputs of the impact by name [SI], as for :class:`clubface.Launch`, or None until the ball has left the face.
-
     Raises
     ------
     InputError, ShotError
@@ -275,12 +266,12 @@ class StruckBall:
 
     @property
     def phase(self) -> Literal["waiting", "contact", "launched"]:
-        """Phase of the ball: before, in or after the contact."""
+        """Phase of the ball: "waiting" before the contact, "contact", or "launched"."""
         return PHASES[self._held.phase]
 
     @property
     def launch(self) -> dict[str, float] | None:
-        """The outputs of the impact [SI], or None until the ball has left the face."""
+        """Outputs of the impact by name [SI], as for :class:`Launch`, or None until the ball has left the face."""
         values = self._held.launch
         return None if values is None else dict(zip(outputs(), values, strict=True))
 

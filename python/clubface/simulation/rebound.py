@@ -36,33 +36,20 @@ RIGID = 1e3
 class Rebound(NamedTuple):
     """Three dimensionless numbers for the rebound of a ball from a head that cannot turn.
 
-    Attributes
-    ----------
-    restitution
-        Relative normal speed after impact over that before impact.
-    tangential_restitution
-        Minus the relative velocity of the ball's surface along the face after impact over that before impact.
-    friction_lever
-        Angular momentum of the ball over the product of its mass, its radius and the change of its velocity along the
-        face.
+    The friction lever is the angular momentum of the ball over the product of its mass, its radius and the change of
+    its velocity along the face.
     """
 
-    restitution: float
-    tangential_restitution: float
+    restitution: float  # relative normal speed after impact over that before impact
+    tangential_restitution: float  # minus the same of the relative velocity of the ball's surface along the face
     friction_lever: float
 
 
 def rebound(model: str, *, speed: float, incidence: float, mass: float) -> Rebound:
-    """Compute the rebound of a ball at rest from a flat rigid face that strikes it.
+    """Compute the rebound of a ball at rest from the flat rigid face of a head that moves freely but cannot turn.
 
-    Parameters
-    ----------
-    model
-        A model in closed form or with a contact law, with its own parameters and ball.
-    speed, incidence
-        Head speed [m/s], and angle between the path of the head and the face normal [rad].
-    mass
-        Mass of the head [kg], which moves freely but cannot turn.
+    ``model`` is in closed form or has a contact law. The head has a ``speed`` [m/s] at an angle ``incidence`` between
+    its path and the face normal [rad], and a ``mass`` [kg].
     """
     with without_warnings():  # such a head is implausible
         head = Club(

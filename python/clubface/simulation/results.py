@@ -111,15 +111,10 @@ class Batch(Presentable):
 
     Every quantity is an attribute. :meth:`get` converts it to another unit; :meth:`to_pandas` and :meth:`to_xarray`
     return tables of all quantities.
-
-    Attributes
-    ----------
-    shape
-        Shape to which the inputs broadcast; () for a single shot.
     """
 
     _kind: ClassVar[str] = "result"
-    shape: tuple[int, ...]
+    shape: tuple[int, ...]  # to which the inputs broadcast; () for a single shot
     _values: Floats
     _failures: Sequence[tuple[int, str, str]]
 
@@ -152,7 +147,7 @@ class Batch(Presentable):
 
     @property
     def problems(self) -> tuple[ShotProblem, ...]:
-        """The shots without a result, with the reasons."""
+        """The shots without a result, whose values are NaN, with the reasons."""
         return tuple(ShotProblem(index_of(row, self.shape), name, reason) for row, name, reason in self._failures)
 
     @property
@@ -262,18 +257,10 @@ class Batch(Presentable):
 
 
 class Series(Presentable):
-    """Arrays over common times, SI: scalars, vectors and the like.
+    """Arrays over common times, SI: scalars, vectors and the like."""
 
-    Attributes
-    ----------
-    quantities
-        The quantities by name, with unit and meaning; ``time`` is the first.
-    provenance
-        The inputs, models and version that it was computed with.
-    """
-
-    quantities: Mapping[str, Variable]
-    provenance: Mapping[str, Any]
+    quantities: Mapping[str, Variable]  # by name; ``time`` is the first
+    provenance: Mapping[str, Any]  # the inputs, models and version that it was computed with
     _arrays: Mapping[str, Floats]
     _coordinates: ClassVar[Mapping[str, list[str]]] = {"axis": list("xyz")}
 

@@ -212,16 +212,9 @@ def shot_picture(
 ) -> Picture:
     """Return the picture of a shot: forces at the top, the flight from the side and from above underneath.
 
-    Parameters
-    ----------
-    flights
-        Positions of the ball [m], shape [n, 3], by model or other name.
-    histories
-        A :class:`clubface.History`, or its columns by name, for each model that has one.
-    title
-        Title: club and delivery in words.
-    shapes
-        Golfer's names of the shots, by model.
+    ``flights`` are positions of the ball [m], shape [n, 3], by model or other name, ``histories`` a
+    :class:`clubface.History`, or its columns by name, for each model that has one, and ``shapes`` the golfer's names of
+    the shots.
     """
     histories = histories or {}
     forces = _force_panels(histories)

@@ -79,12 +79,8 @@ def complete(given: Mapping[str, Any]) -> Spins:
     Given values are kept unless they contradict others beyond rounding. If three of four agree clearly better than any
     other three, the fourth is dropped. Otherwise, and for three values, total spin and spin axis are kept if both are
     given, else backspin and sidespin, and values that contradict them are dropped. Of two contradicting values, such as
-    a total spin below the backspin, neither is kept; a negative total spin is dropped.
-
-    Parameters
-    ----------
-    given
-        Some of ``SPINS`` [rad/s, rad], arrays of equal length; NaN means unknown.
+    a total spin below the backspin, neither is kept; a negative total spin is dropped. The spins, some of ``SPINS``
+    [rad/s, rad], are arrays of equal length; NaN means unknown.
     """
     arrays = {name: np.asarray(given[name], dtype=np.float64) for name in SPINS if name in given}
     count = len(next(iter(arrays.values()))) if arrays else 0
@@ -112,15 +108,8 @@ def agreeing(given: Mapping[str, Any]) -> Spins:
 def parts(given: Mapping[str, Any]) -> tuple[Any, Any, str]:
     """Return backspin and sidespin for a computation that needs both, and the assumption made in words, or "".
 
-    Parameters
-    ----------
-    given
-        Some of ``SPINS`` [rad/s, rad], numbers or arrays of equal shape; NaN stays NaN.
-
-    Raises
-    ------
-    InputError
-        Spins contradict each other, or a spin axis is given without a magnitude.
+    The ``given`` ones, some of ``SPINS`` [rad/s, rad], are numbers or arrays of equal shape; NaN stays NaN. Raises
+    InputError if they contradict each other, or a spin axis is given without a magnitude.
     """
     names = [name for name in SPINS if name in given]
     if names == [BACK, SIDE]:

@@ -268,12 +268,8 @@ class TwoBodies:
     def run(self, tolerance: float) -> Any:
         """Integrate to separation with a relative tolerance per step; return the solution object of SciPy.
 
-        Raises
-        ------
-        RunError
-            The law raises an error, or does not return three finite forces.
-        UnfinishedContactError
-            Ball and club do not separate, or the law changes too sharply for its energy balance to close.
+        Raises RunError if the law fails or does not return three finite forces, UnfinishedContactError if ball and club
+        do not separate or the law changes too sharply for its energy balance to close.
         """
         from scipy.integrate import solve_ivp
 

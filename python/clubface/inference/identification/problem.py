@@ -46,27 +46,14 @@ class FreeParameters:
 
     A point of the search has one coordinate per free parameter, from 0 at the lower to 1 at the upper bound, linear in
     the value or, if the bounds span more than a decade, in its logarithm.
-
-    Attributes
-    ----------
-    fixed
-        The parameter set with the values of all other parameters.
-    names
-        The free parameters, in the order of the registry.
-    lower, upper
-        Their bounds [SI], shape (free,).
-    logarithmic
-        Whether each is searched on a logarithmic scale, shape (free,).
-    tied
-        Parameters that follow a free one, by name.
     """
 
-    fixed: ParameterSet
-    names: tuple[str, ...]
-    lower: Floats
+    fixed: ParameterSet  # with the values of all other parameters
+    names: tuple[str, ...]  # in the order of the registry
+    lower: Floats  # bounds [SI], shape (free,)
     upper: Floats
-    logarithmic: NDArray[np.bool_]
-    tied: Mapping[str, str]
+    logarithmic: NDArray[np.bool_]  # whether each is searched on a logarithmic scale, shape (free,)
+    tied: Mapping[str, str]  # parameters that follow a free one, by name
 
     def __len__(self) -> int:
         return len(self.names)
@@ -216,49 +203,24 @@ def _bounds(parameter: Parameter, given: Any, tied: Mapping[str, str], model: st
 class PreparedShots:
     """Measured deliveries and launches of one club and ball, as inputs of the core.
 
-    Attributes
-    ----------
-    club, ball
-        The club and the ball of all shots.
-    columns
-        One column per input of the core: a number, or an array of shape (shots,).
-    quantities
-        Names of the launch quantities.
-    launches
-        Measured values [SI], shape (quantities, shots); NaN where not measured.
-    start
-        Launch angles, or launch angles and azimuths [rad], that every parameter set meets, shape (1 or 2, shots); shape
-        (0, shots) for a comparison at the measured delivery. Loft and face angle in the columns are then those with
-        which the initial parameters meet them.
-    loft_origins
-        Origin of the dynamic lofts, as far as the shots reveal it.
-    rows
-        Row of each shot in its source.
-    groups
-        Group number of each shot, such as its player, from 0; shots of a group are held out and resampled together.
-    source
-        Path of the file, or another name.
-    dropped
-        Rows that cannot be used, with reasons.
-    notes
-        Notes on assumptions about the shots.
-    provenance
-        Provenance of the launches computed with the initial parameters.
+    ``start`` holds the launch angles, or launch angles and azimuths [rad], that every parameter set meets, shape (1 or
+    2, shots). Loft and face angle in the columns are then those with which the initial parameters meet them. For a
+    comparison at the measured delivery its shape is (0, shots).
     """
 
     club: Club
     ball: Ball
-    columns: list[Any]
-    quantities: tuple[str, ...]
-    launches: NDArray[np.float64]
-    start: NDArray[np.float64]
-    rows: NDArray[np.int64]
-    groups: NDArray[np.int64]
+    columns: list[Any]  # one per input of the core: a number, or an array of shape (shots,)
+    quantities: tuple[str, ...]  # names of the launch quantities
+    launches: Floats  # measured values [SI], shape (quantities, shots); NaN where not measured
+    start: Floats
+    rows: NDArray[np.int64]  # row of each shot in its source
+    groups: NDArray[np.int64]  # group number of each shot, from 0; a group is held out and resampled together
     source: str
     dropped: tuple[RejectedRow, ...] = ()
-    notes: tuple[Note, ...] = ()
+    notes: tuple[Note, ...] = ()  # on assumptions about the shots
     loft_origins: tuple[LoftOrigin, ...] = ()
-    provenance: Provenance = field(default_factory=Provenance)
+    provenance: Provenance = field(default_factory=Provenance)  # of the launches with the initial parameters
 
     def __len__(self) -> int:
         return self.launches.shape[1]
@@ -313,20 +275,7 @@ def prepared_shots(
 ) -> PreparedShots:
     """Prepare recorded shots for the core, excluding those that the model cannot compute with ``parameters``.
 
-    Parameters
-    ----------
-    given, club, only, mismatch, compared_at
-        As for :func:`measured_shots`.
-    ball
-        As for :func:`impact`.
-    quantities
-        Launch quantities to compare, which must have been measured. Default: the measured ones among ball speed, launch
-        angle, azimuth, backspin and sidespin.
-    groups
-        One label per shot of ``given``. Default: the players, if the shots name several; otherwise every shot is a
-        group of its own.
-    parameters
-        Initial parameter set of the model.
+    Other arguments are as for :func:`clubface.identify`; without labels, every shot is a group of its own.
     """
     recorded = given if isinstance(given, RecordedShots) else read(given)
     labels = None if groups is None else group_labels(groups, len(recorded))

@@ -334,21 +334,15 @@ def identify(
         the model.
     tied
         Parameters that follow a free one, by name: ``{"ring_modulus": "shear_modulus"}``.
-    only
-        Name of a club in the file; only its shots are used.
-    mismatch
-        What to do if the shots indicate another club: "refuse" or "note".
+    only, mismatch, groups
+        As for :func:`evaluate`; shots of a group are held out and resampled together.
     quantities
         Launch quantities to compare. Default: the measured ones among ball speed, launch angle, azimuth, backspin and
         sidespin.
     compared_at
-        "delivery" or "launch". At "launch", dynamic loft and face angle are solved for every parameter set so that
-        launch angle and, if measured, start direction are met; ball speed and spin are compared there, and derivatives
-        include the change of the solution. Lofts that a monitor computed from the ball are then not used; at "delivery"
-        they bring the monitor's own model into the fit.
-    groups
-        One label per shot; shots of a group are held out and resampled together. Default: the players, if the shots
-        name several; otherwise the shots count as independent.
+        As for :func:`evaluate`, with dynamic loft and face angle solved for every parameter set; derivatives include
+        the change of the solution. At "delivery", lofts that a monitor computed from the ball bring the monitor's own
+        model into the fit.
     cost
         "published" is equation 22 of Caldwell and McPhee; "least-squares" is weighted by the noise; "robust" is the
         same with Huber's loss.
@@ -377,11 +371,6 @@ def identify(
         True raises FileError if the checkpoint belongs to other shots or settings; False replaces it.
     progress
         Function called with the stage, the amount done, the total, and the smallest cost so far.
-
-    Returns
-    -------
-    Identification
-        Parameters, intervals, costs and warnings.
 
     Raises
     ------

@@ -194,23 +194,14 @@ P. J. Huber, Robust estimation of a location parameter, Annals of Mathematical S
 class Cost:
     """A sum over quantities and shots of a loss of the deviations ``simulated - measured``.
 
-    Attributes
-    ----------
-    loss
-        "absolute": weight |deviation|; "squares": weight deviation^2; "huber": weight times Huber's loss of
-        deviation / knee, times knee^2, which is deviation^2 up to the knee.
-    measured
-        Measured values [SI], shape (quantities, shots), 0 where nothing was measured.
-    weights
-        Weights of the same shape, 0 where nothing was measured.
-    knees
-        Knees of Huber's loss [SI], shape (quantities,).
+    The loss is the weight times |deviation| ("absolute"), deviation^2 ("squares"), or Huber's loss of deviation / knee,
+    times knee^2, which is deviation^2 up to the knee ("huber").
     """
 
     loss: Loss
-    measured: Floats
-    weights: Floats
-    knees: Floats
+    measured: Floats  # [SI], shape (quantities, shots), 0 where nothing was measured
+    weights: Floats  # of the same shape, 0 where nothing was measured
+    knees: Floats  # of Huber's loss [SI], shape (quantities,)
 
     def of(self, simulated: Floats) -> Floats:
         """Return the cost of launches of shape (quantities, ..., shots) with shape (...); infinite if any is NaN."""
