@@ -204,7 +204,9 @@ def infer_shots(
     content = {
         "set of measured shots": [shots.rows, shots.launches, shots.deliveries, shots.hand],
         "point of measurement": [shots.speed_at, shots.face_at],
-        "club, prior or option": {name: _content_of_option(value) for name, value in rows.options.items()},
+        "club, prior or option": {  # of a file, its content
+            name: input_file(value).sha256 if is_path(value) else value for name, value in rows.options.items()
+        },
     }
     folder = unfinished_folder(target, [shots.source])
     with Store(folder, content, output=target, resume=resume) as store:
@@ -237,8 +239,3 @@ def _row(data: bytes, place: int) -> list[Any]:
 def _rows(data: bytes) -> ShotRows:
     shots, options = pickle.loads(data)
     return ShotRows(shots, **{**options, "threads": 1})
-
-
-def _content_of_option(value: Any) -> Any:
-    """Return an option, replaced by the content of the file if it is a file name."""
-    return input_file(value).sha256 if is_path(value) else value

@@ -322,14 +322,10 @@ def _practice(clubs: Sequence[ClubStatistics]) -> Iterator[Note]:
         if all(one.code != each.note.code for one in notes):
             notes.append(each.note)
     yield from notes[:MOST_PRACTISED]
-    if not _has_club_data(clubs):
+    if not any(effect.name in each.measured for each in clubs for effect in each.changes):
         yield note("player-practise-unknown")
     elif not notes:
         yield note("player-practise-nothing")
-
-
-def _has_club_data(clubs: Sequence[ClubStatistics]) -> bool:
-    return any(effect.name in each.measured for each in clubs for effect in each.changes)
 
 
 def _causes(club: ClubStatistics) -> Iterator[_Finding]:

@@ -31,6 +31,7 @@ from clubface.simulation.results import (
     outputs as launch_outputs,
 )
 from clubface.simulation.sensitivity import known_variables
+from clubface.support.arrays import flat
 from clubface.support.checks import check_names
 
 if TYPE_CHECKING:
@@ -123,9 +124,9 @@ class Differentiable(ABC):
         """Return the columns for the core, flat arrays or single numbers, and the shape of the batch."""
         x = np.asarray(x, dtype=np.float64)
         shape = np.broadcast_shapes(x.shape[:-1], self.shape)
-        columns = [each if isinstance(each, float) else _flat(each, shape) for each in self.columns]
+        columns = [flat(each, shape) for each in self.columns]
         for place, column in zip(self.places, np.moveaxis(x, -1, 0), strict=True):
-            columns[place] = _flat(column, shape)
+            columns[place] = flat(column, shape)
         if math.prod(shape) == 1:  # an array of one element is slower, and deprecated where a number is expected
             columns = [float(each if isinstance(each, float) else each[0]) for each in columns]
         return columns, shape
@@ -246,7 +247,3 @@ def _rows_of(names: Iterable[str] | None, known: Mapping[str, int]) -> dict[str,
     names = list(known) if names is None else [names] if isinstance(names, str) else list(names)
     check_names("output", names, known)
     return {name: known[name] for name in names}
-
-
-def _flat(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)

@@ -40,7 +40,7 @@ from clubface.simulation.results import (
     translate_core_error,
 )
 from clubface.simulation.shot_shape import shot_shape
-from clubface.support.arrays import Floats, NumberOrArray, ValueLike
+from clubface.support.arrays import Floats, NumberOrArray, ValueLike, flat
 from clubface.support.checks import check_choice, check_names
 from clubface.support.processes import FAILED, check_request
 from clubface.support.version import __version__
@@ -196,13 +196,10 @@ def flight_columns(
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in varied.values())
     check_request(math.prod(shape), 8 * (len(flight_outputs()) + copies) + 2 * FAILED)  # once more, sorted
-    flat = {
-        name: value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
-        for name, value in parsed.items()
-    }
+    columns = {name: flat(value, shape) for name, value in parsed.items()}
     if isinstance(launch, Launch):
         varied = {name: value for name, value in varied.items() if name not in (*VELOCITY, *SPIN, *BALL)}
-    return FlightColumns(flat, shape, varied)
+    return FlightColumns(columns, shape, varied)
 
 
 def conditions(air: AirLike | None, wind: Any, ground: GroundLike | None = None) -> dict[str, Any]:

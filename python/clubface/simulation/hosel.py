@@ -15,9 +15,9 @@ from clubface.errors import InputError, Wording
 from clubface.results.notes import note
 from clubface.results.result import Described, Result
 from clubface.results.table import column, table, text
-from clubface.simulation.beam import cross_matrix
 from clubface.simulation.inputs import Delivery
 from clubface.simulation.launch import Launch, assumptions_of
+from clubface.simulation.pose import rotation_by
 from clubface.simulation.provenance import provenance_of
 
 __all__ = ["HoselReaction", "hosel_reaction"]
@@ -130,7 +130,7 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
     start = pose.rotation
     # Models in closed form leave the head where it is.
     moving_time = contact_time if model(launch.model).kind != "impulse" else 0.0
-    end = _rotation(0.5 * moving_time * (pose.angular_velocity + spin_after)) @ start
+    end = np.array(rotation_by(0.5 * (pose.angular_velocity + spin_after), moving_time)) @ start
     before = np.concatenate([np.zeros(3), start.T @ pose.angular_velocity])
     after = np.concatenate([end.T @ (club_after - pose.velocity), end.T @ spin_after])
     first, last = added @ before, added @ after
@@ -154,12 +154,3 @@ def hosel_reaction(launch: Launch, shaft: str | os.PathLike[str] | Shaft | None 
     shaft_energy = float(relative + (start.T @ pose.velocity) @ impulse)
     moment = moment - np.cross(point, impulse)
     return HoselReaction(impulse, moment, point, contact_time, head_energy, shaft_energy, ball_energy, launch)
-
-
-def _rotation(turn: Any) -> Any:
-    """Return the rotation by a vector of angles [rad], by Rodrigues' formula."""
-    angle = float(np.linalg.norm(turn))
-    if angle == 0.0:
-        return np.eye(3)
-    cross = cross_matrix(turn / angle)
-    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross

@@ -10,7 +10,10 @@ import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, overload
+from typing import Any, Literal, NamedTuple, Protocol, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 from clubface import _core as core, units
 from clubface.equipment.balls import DEFAULT_BALL, Ball
@@ -32,10 +35,6 @@ from clubface.simulation.launch import Comparison, Launch
 from clubface.simulation.results import first_error, input_columns, outputs
 from clubface.support.arrays import ValueLike
 from clubface.support.checks import check_names, is_silent, warn_once, without_warnings
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
 
 Problems = list[tuple[int, str, str]]
 """For each shot without a launch: row, name of the input at fault, reason."""
@@ -71,31 +70,27 @@ class Backend(Protocol):
 
     def balls(self, given: Any, accuracy: float | None) -> Balls:
         """Return the ball for ``given``; raise InputError for an accuracy that the backend does not support."""
-        ...
+        return Balls(None, given)
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Return the outputs of all shots, NaN for those without a launch, and the reasons."""
         ...
 
     def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
-        """Return the force histories of one shot, named as in :class:`clubface.History`; None without a contact."""
-        ...
+        """Return the force histories of one shot, named as in :class:`clubface.History`; None by default."""
+        return None
 
-    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+    def history(self, model: str, given: list[float], parameters: list[float], accuracy: float | None) -> Any:
         """Return the arrays of :class:`clubface.History` and the "launch"; called for contact models only."""
         ...
 
     def notes(self) -> Sequence[Note]:
         """Return the notes on every launch of the model, such as a bound of its error."""
-        ...
+        return ()
 
 
-class ReducedCore:
-    """The backend of the reduced models: the compiled core."""
-
-    def balls(self, given: Any, accuracy: float | None) -> Balls:
-        """Return the ball as it is."""
-        return Balls(None, given)
+class ReducedCore(Backend):
+    """The backend of the reduced models: the compiled core. The caveats of a model belong to its parameters."""
 
     def launches(self, shots: Request) -> tuple[NDArray[Any], Problems]:
         """Compute all shots at once."""
@@ -112,17 +107,9 @@ class ReducedCore:
             shots.threads, shots.progress,
         )  # fmt: skip
 
-    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> Mapping[str, Any] | None:
-        """Return None; use :func:`clubface.history`."""
-        return None
-
-    def history(self, model: str, inputs: list[float], parameters: list[float], accuracy: float | None) -> Any:
+    def history(self, model: str, given: list[float], parameters: list[float], accuracy: float | None) -> Any:
         """Compute the time history of one contact."""
-        return core.history(model, inputs, parameters, accuracy)
-
-    def notes(self) -> Sequence[Note]:
-        """Return no notes: the caveats of a model belong to its parameters."""
-        return ()
+        return core.history(model, given, parameters, accuracy)
 
 
 REDUCED = ReducedCore()
@@ -257,8 +244,6 @@ def _value(launch: Launch, name: str) -> Any:
     value = launch.input(name) if name in input_columns() else launch.parameters.values.get(name, 0.0)
     if type(value) is float or value.shape == (math.prod(launch.shape),):
         return value
-    import numpy as np
-
     return np.broadcast_to(value, launch.shape).reshape(-1)
 
 
@@ -272,8 +257,6 @@ def _incidence(launch: Launch, limit: float) -> Any:
     bound = abs(apart) + abs(sideways)
     if (bound if type(bound) is float else bound.max(initial=0.0)) <= limit:
         return 0.0
-    import numpy as np
-
     cosine = np.cos(attack) * np.cos(loft) * np.cos(sideways) + np.sin(attack) * np.sin(loft)
     angle = np.arccos(np.clip(cosine, -1.0, 1.0))
     return angle if np.ndim(angle) else float(angle)

@@ -13,6 +13,9 @@ from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from clubface import units
 from clubface.equipment.balls import Ball, ball
 from clubface.equipment.clubs import Club, club
@@ -21,18 +24,15 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, UnknownNameError, Wording
 from clubface.schema import Choice, Items, PhysicalValue, file_key
+from clubface.simulation.pose import Head, Pose, delivery_of_pose, pose_of_delivery
 from clubface.simulation.results import input_columns, input_dimensions, inputs, translate_core_error
+from clubface.support.arrays import NumberOrArray, ValueLike, flat
 from clubface.support.checks import check_choice, check_names, whole
 from clubface.support.files import is_path
 from clubface.support.processes import FAILED, check_request
 from clubface.units import parse_values
 
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from clubface.simulation.pose import Head, Pose
-    from clubface.support.arrays import NumberOrArray, ValueLike
-else:  # the same for the documentation, without importing numpy
+if not TYPE_CHECKING:  # the same, short enough to read in the documentation
     ValueLike = float | str | Sequence[float] | Sequence[str]
 
 
@@ -154,10 +154,6 @@ class Delivery:
         --------
         Delivery.pose : the inverse.
         """
-        import numpy as np
-
-        from clubface.simulation.pose import Pose, delivery_of_pose
-
         turn = _rotation(rotation)
         given = {
             "position": (position, "length"), "velocity": (velocity, "speed"),
@@ -195,10 +191,6 @@ class Delivery:
 
         Parameters and axes are those of :meth:`from_pose`.
         """
-        import numpy as np
-
-        from clubface.simulation.pose import pose_of_delivery
-
         setup = equipment(club, ball)
         head = head_of(setup, hand)
         values = {name: np.asarray(value) for name, value in self.values().items()}
@@ -258,8 +250,6 @@ class Equipment(NamedTuple):
 
 def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
     """Return the geometry of head and ball that determines first touch."""
-    from clubface.simulation.pose import Head
-
     values = dict(zip(inputs(), setup.columns, strict=True))
     cg = values["cg_x"], values["cg_y"], values["cg_z"]
     hand = values[_HAND] if hand is None else hand_value(hand)
@@ -268,8 +258,6 @@ def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
 
 def point_of(head: Head, point: Any) -> NDArray[Any]:
     """Return the vector from the CG of a head to one of its points, in head axes [m], shape (..., 3)."""
-    import numpy as np
-
     if isinstance(point, str):
         check_choice("point", point, (CG, FACE_CENTRE))
         x, y, z = head.cg_to_face
@@ -279,8 +267,6 @@ def point_of(head: Head, point: Any) -> NDArray[Any]:
 
 def _vector(value: Any, name: str, dimension: str) -> NDArray[Any]:
     """Convert vectors to an array of shape (..., 3)."""
-    import numpy as np
-
     array = np.asarray(parse_values(value, dimension, name=name))
     if array.shape[-1:] != (3,):
         raise InputError(name, Wording(f"of shape {array.shape}"), "of shape (..., 3)")
@@ -289,8 +275,6 @@ def _vector(value: Any, name: str, dimension: str) -> NDArray[Any]:
 
 def _rotation(value: Any) -> NDArray[Any]:
     """Convert and check rotation matrices, shape (..., 3, 3), or quaternions, shape (..., 4)."""
-    import numpy as np
-
     array = np.asarray(parse_values(value, units.DIMENSIONLESS, name="rotation"))
     if array.ndim and array.shape[-1] == 4:
         if not (np.sum(array * array, axis=-1) > 0.0).all():
@@ -469,8 +453,6 @@ def _parse_text(value: str, name: str) -> float:
 
 def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outputs: int) -> tuple[Shots, list[Any]]:
     """Broadcast array inputs and parameters (called ``names``) to flat arrays; check the memory for ``outputs``."""
-    import numpy as np
-
     if not shots.varied and set(map(type, parameters)) <= {float}:
         return shots, parameters
     varied = dict(shots.varied)
@@ -480,20 +462,12 @@ def broadcast(shots: Shots, parameters: list[Any], names: tuple[str, ...], outpu
     shape = common_shape(varied)
     copies = sum(each.shape != shape for each in shots.columns if not isinstance(each, float))
     check_request(math.prod(shape), 8 * (outputs + copies) + FAILED)
-
-    def flat(value: Any) -> Any:
-        if isinstance(value, float):
-            return value
-        return np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)
-
-    columns = [flat(each) for each in shots.columns]
-    return shots._replace(columns=columns, shape=shape, varied=varied), [flat(each) for each in parameters]
+    columns, parameters = ([flat(each, shape) for each in every] for every in (shots.columns, parameters))
+    return shots._replace(columns=columns, shape=shape, varied=varied), parameters
 
 
 def common_shape(arrays: Mapping[str, Any]) -> tuple[int, ...]:
     """Return the shape to which named arrays broadcast."""
-    import numpy as np
-
     try:
         return np.broadcast_shapes(*(each.shape for each in arrays.values()))
     except ValueError:

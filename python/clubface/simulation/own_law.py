@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from clubface import _core as core, units
 from clubface.equipment.models import MODULES, OWN, Model, Parameter, models
 from clubface.errors import InputError, RunError
-from clubface.simulation.impact import Balls, Problems, Request
+from clubface.simulation.impact import Backend, Problems, Request
 from clubface.simulation.inputs import forget_parameters
 from clubface.simulation.results import inputs, outputs
 from clubface.simulation.two_bodies import (
@@ -86,12 +86,6 @@ class Dual(NDArrayOperatorsMixin):
         if ufunc in _COMPARISONS:
             return ufunc(*map(_value, given))
         return _call(ufunc, *given)
-
-
-def dual_of(number: Any, directions: int) -> Dual:
-    """Convert a number to a dual number; the derivatives of a plain number are zero."""
-    number = number.item() if isinstance(number, np.ndarray) else number
-    return number if isinstance(number, Dual) else Dual(float(number), np.zeros(directions))
 
 
 def _value(number: Any) -> Any:
@@ -269,7 +263,7 @@ def _parameter(name: str, given: Any) -> Parameter:
     return Parameter(name, si, name.replace("_", " "), value, -math.inf, math.inf, "given with the law")
 
 
-class OwnLaw:
+class OwnLaw(Backend):
     """The backend of a user-defined law: the core computes one shot at a time."""
 
     def __init__(
@@ -285,10 +279,6 @@ class OwnLaw:
             self._held = core.LawHandle.at(address, complex_address, sized)
         else:
             self._held = core.LawHandle(self._call, self._call_with_derivatives, sized)
-
-    def balls(self, given: Any, accuracy: float | None) -> Balls:
-        """Return the ball as it is."""
-        return Balls(None, given)
 
     def _call(self, touch: Any, values: Any, states: Any) -> tuple[float, ...]:
         """Call the law with plain numbers; return the forces and the rates of the states."""
@@ -319,8 +309,9 @@ class OwnLaw:
             raise
         except Exception as error:
             raise RunError(f"the law of contact fails: {type(error).__name__}: {error}") from error
-        results = (dual_of(each, DIRECTIONS) for each in returned)
-        return [number for each in results for number in (each.value, *each.tangent.tolist())]
+        results = (each.item() if isinstance(each, np.ndarray) else each for each in returned)
+        none = np.zeros(DIRECTIONS)  # the derivatives of a plain number
+        return [each for one in results for each in (float(_value(one)), *getattr(one, "tangent", none).tolist())]
 
     def _parameters_by_name(self, values: Any) -> dict[str, Any]:
         return {each.name: value for each, value in zip(self.model.parameters, values, strict=True)}
@@ -377,10 +368,6 @@ class OwnLaw:
                 shots.progress(row + 1)
         return result, sorted(problems)
 
-    def forces(self, launch: Any, delivery: Mapping[str, Any]) -> None:
-        """Return None; use :func:`clubface.history`."""
-        return None
-
     def history(self, model: str, given: list[float], parameters: list[float], accuracy: float | None) -> Any:
         """Compute the time history of one contact at evenly spaced times."""
         usual = [each.default for each in models()[CHECKED_BY].parameters]
@@ -396,10 +383,6 @@ class OwnLaw:
         except UnfinishedContactError as error:
             raise ValueError("model", f"{self.model.name}: {error}") from None
         return {**sample_history(bodies, solution), "launch": launch_outputs(bodies, solution)}
-
-    def notes(self) -> tuple[()]:
-        """Return no notes."""
-        return ()
 
 
 def _fault(given: Sequence[float]) -> tuple[str, str] | None:

@@ -95,13 +95,13 @@ def delivery_of_pose(
     away = _plus(away, lever)
 
     def nearer(time: Any) -> Any:
-        turned, apart = _product(_rotation_by(spin, time), turn), _along(away, velocity, -time)
+        turned, apart = _product(rotation_by(spin, time), turn), _along(away, velocity, -time)
         gap, normal = _nearest(xp, _ball_in_face(xp, turned, apart, head), head)
         approach = _apply_transposed(turned, _plus(velocity, _cross(spin, apart)))
         return time + (gap - head.ball_radius) / _dot(normal, _to_face(xp, approach, head))
 
     time = repeat(nearer, ROUNDS)
-    turned = _product(_rotation_by(spin, time), turn)
+    turned = _product(rotation_by(spin, time), turn)
     ball = _ball_in_face(xp, turned, _along(away, velocity, -time), head)
     gap, normal = _nearest(xp, ball, head)
     sin_loft, cos_loft = xp.sin(head.static_loft), xp.cos(head.static_loft)
@@ -132,7 +132,7 @@ def pose_of_delivery(xp: Any, values: dict[str, Any], ball_position: Any, head: 
     speed, attack, path = values["speed"], values["attack"], hand * values["path"]
     velocity = (speed * xp.cos(attack) * xp.cos(path), speed * xp.sin(attack), speed * xp.cos(attack) * xp.sin(path))
     spin = (-values["lie_rate"], values["closure"], values["pitch_rate"])
-    touched = _face_point(xp, values["toe"], values["high"], head)
+    touched = face_point(xp, values["toe"], values["high"], 1.0 / head.bulge, 1.0 / head.roll)
     _, normal = _nearest(xp, touched, head)
     ball = _apply(turn, _plus(head.cg_to_face, _from_face(xp, _along(touched, normal, head.ball_radius), head)))
     lever = _apply(turn, _mirror(_components(point), hand))
@@ -163,7 +163,7 @@ def _about_y(sine: Any, cosine: Any) -> Matrix:
     return ((cosine, 0.0, sine), (0.0, 1.0, 0.0), (-sine, 0.0, cosine))
 
 
-def _rotation_by(spin: Vector, time: Any) -> Matrix:
+def rotation_by(spin: Vector, time: Any) -> Matrix:
     """Return the rotation exp(time [spin]x) by series, exact to rounding for angles below a radian; no square root."""
     square = time * time * _dot(spin, spin)
     first = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)))
@@ -192,9 +192,8 @@ def _nearest(xp: Any, ball: Vector, head: Head) -> tuple[Any, Vector]:
     return distance, (ahead * along, up, ahead * across)
 
 
-def _face_point(xp: Any, toe: Any, high: Any, head: Head) -> Vector:
-    """Return the face point at the given offsets, in face axes."""
-    bulge, roll = 1.0 / head.bulge, 1.0 / head.roll
+def face_point(xp: Any, toe: Any, high: Any, bulge: Any, roll: Any) -> Vector:
+    """Return the point at offsets from the centre of a face with curvatures ``bulge`` and ``roll``, in face axes."""
     x = -(roll * high * high) / (xp.sqrt(1.0 - roll * high * (roll * high)) + 1.0)
     radial = bulge * x + 1.0
     root = xp.sqrt(radial * radial - bulge * toe * (bulge * toe))

@@ -122,11 +122,8 @@ class Sensitivity(Presentable):
     def jvp(self, changes: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
         """Return the first-order change of every output for changes of variables [SI]: J times a vector.
 
-        Parameters
-        ----------
-        changes
-            Changes by name of the variable: text with a unit, an SI number, or an array over the shots. Variables left
-            out do not change.
+        Each of the ``changes``, by name of the variable, is text with a unit, an SI number, or an array over the shots.
+        Variables left out do not change.
         """
         check_names("variable", changes, self._columns)
         total: Any = 0.0
@@ -138,11 +135,8 @@ class Sensitivity(Presentable):
     def vjp(self, weights: Mapping[str, ValueLike]) -> dict[str, NumberOrArray]:
         """Return the derivatives of a weighted sum of outputs by every variable [SI]: a vector times J.
 
-        Parameters
-        ----------
-        weights
-            Weights by name of the output, per SI unit of it: a number, or an array over the shots. Outputs left out
-            have weight 0.
+        Each of the ``weights``, by name of the output and per SI unit of it, is a number, or an array over the shots.
+        Outputs left out have weight 0.
         """
         check_names("output", weights, self._rows)
         total: Any = 0.0

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from clubface import _core as core
-from clubface.support.arrays import NumberOrArray, ValueLike
+from clubface.support.arrays import NumberOrArray, ValueLike, flat
 
 __all__ = ["BIG_CURVE", "STRAIGHT_CURVE", "STRAIGHT_START", "curve", "shot_shape"]
 
@@ -49,12 +49,10 @@ def shot_shape(azimuth: ValueLike, curve: ValueLike, carry: ValueLike, *, hand: 
 
     Parameters
     ----------
-    azimuth
-        Launch direction [rad], right of the target is positive.
+    azimuth, carry
+        As for :func:`curve`.
     curve
         Curve [m], as returned by :func:`curve`.
-    carry
-        Straight distance from the start to the landing [m].
     hand
         1 for a right-handed player, -1 for a left-handed one, whose push starts left and whose draw curves right.
     """
@@ -67,5 +65,4 @@ def _columns(*values: Any) -> tuple[list[Any], tuple[int, ...]]:
     """Return numbers, or flat arrays for the core, and the shape to which they broadcast."""
     arrays = [np.asarray(each, dtype=float) for each in values]
     shape = np.broadcast_shapes(*(each.shape for each in arrays))
-    whole = (np.ascontiguousarray(np.broadcast_to(each, shape)).reshape(-1) if each.ndim else each for each in arrays)
-    return [each if each.ndim else float(each) for each in whole], shape
+    return [flat(each, shape) if each.ndim else float(each) for each in arrays], shape

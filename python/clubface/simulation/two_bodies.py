@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from clubface.errors import RunError
-from clubface.simulation.pose import attitude, circle
+from clubface.simulation.pose import attitude, circle, face_point
 
 HISTORY_POINTS = 201
 """Number of evenly spaced times of a history from first touch to separation."""
@@ -174,7 +174,7 @@ class TwoBodies:
         """Return the state at first touch, with the clubhead's CG at the origin."""
         attack, path, speed = given["attack"], given["path"] * self.hand, given["speed"]
         up, sideways = math.sin(attack), math.sin(path)
-        point = self._face_point(given["toe"], given["high"])
+        point = np.array(face_point(math, given["toe"], given["high"], self.bulge, self.roll))
         _, normal, _ = self.nearest(point)
         state = np.zeros(LAW + len(self.states))
         state[BALL] = self.attitude @ (self.lever + point + self.radius * normal)
@@ -186,12 +186,6 @@ class TwoBodies:
         state[CLUB_MOMENTUM] = self.attitude @ (self.inertia @ (self.attitude.T @ club_spin))
         state[ATTITUDE] = 1.0, 0.0, 0.0, 0.0
         return state
-
-    def _face_point(self, toe: float, high: float) -> NDArray[Any]:
-        """Return the face point at offsets in the tangent plane at the face centre, in face axes."""
-        x = -self.roll * high**2 / (math.sqrt(1.0 - (self.roll * high) ** 2) + 1.0)
-        root = math.sqrt((1.0 + self.bulge * x) ** 2 - (self.bulge * toe) ** 2)
-        return np.array([(2.0 * x + self.bulge * (x**2 - toe**2)) / (root + 1.0), high, toe])
 
     def nearest(self, place: Sequence[float] | NDArray[Any]) -> tuple[float, NDArray[Any], float]:
         """Return the distance from the face, and normal and mean curvature at the nearest face point, in face axes."""

@@ -18,3 +18,8 @@ The values of a call, not their types, decide which it is, so that a type checke
 check before every use of a result, which the typing guide advises against:
 https://typing.python.org/en/latest/guides/writing_stubs.html#the-any-trick
 """
+
+
+def flat(value: NumberOrArray, shape: tuple[int, ...]) -> NumberOrArray:
+    """Return a column for the core: an array broadcast to the shape of the batch, flat, or a number as it is."""
+    return value if isinstance(value, float) else np.ascontiguousarray(np.broadcast_to(value, shape)).reshape(-1)

@@ -27,7 +27,7 @@ from clubface.shots.measured import DELIVERY, LAUNCH, QUANTITIES, MeasuredShots
 from clubface.shots.recorded import RejectedRow
 from clubface.support.arrays import Floats
 
-__all__ = ["Evaluation", "error_picture", "error_quantity", "refuse_input", "shot_tables"]
+__all__ = ["Evaluation", "arrange_in_rows", "error_picture", "error_quantity", "refuse_input", "shot_tables"]
 
 SHOTS_FILE = "evaluation.csv"
 """File name of the table with every model's values for every shot."""
@@ -176,6 +176,10 @@ class Evaluation(Described):
         def errors(name: str, values: Iterable[Any], **options: Any) -> Column:
             return Column(name, list(values), read_as, **options)
 
+        def of_mean(what: str) -> Column:
+            shares = [getattr(size, what) / (self.mean[name] or math.nan) for name, _, size in rows]
+            return column(f"{what}_of_mean", shares, "1", label="of mean", unit="%", digits=-3)
+
         sizes = [size for _, _, size in rows]
         return table(
             "errors",
@@ -186,17 +190,9 @@ class Evaluation(Described):
             errors("mae", (size.mae for size in sizes), label="MAE"),
             errors("mae_low", (size.mae_interval.low for size in sizes), label="from"),
             errors("mae_high", (size.mae_interval.high for size in sizes), label="to"),
-            column(
-                "mae_of_mean",
-                [size.mae / self.mean[name] if self.mean[name] else math.nan for name, _, size in rows],
-                "1", label="of mean", unit="%", digits=-3,
-            ),
+            of_mean("mae"),
             errors("std", (size.std for size in sizes), label="STD"),
-            column(
-                "std_of_mean",
-                [size.std / self.mean[name] if self.mean[name] else math.nan for name, _, size in rows],
-                "1", label="of mean", unit="%", digits=-3,
-            ),
+            of_mean("std"),
             errors("bias", (size.bias for size in sizes), difference=True),
             errors("bias_low", (size.bias_interval.low for size in sizes), label="from", difference=True),
             errors("bias_high", (size.bias_interval.high for size in sizes), label="to", difference=True),
@@ -358,14 +354,8 @@ class Evaluation(Described):
     def _notes(self) -> list[Note]:
         notes = [*self.shots.notes]
         if self.shots.dropped:
-            notes.append(
-                note(
-                    "rows-left-out",
-                    rows=len(self.shots.dropped),
-                    source=self.shots.source,
-                    first=_first(self.shots.dropped),
-                )
-            )
+            first, count = _first(self.shots.dropped), len(self.shots.dropped)
+            notes.append(note("rows-left-out", rows=count, source=self.shots.source, first=first))
         if self.failed:
             notes.append(note("shots-not-computed", shots=len(self.failed), first=_first(self.failed)))
         notes.append(note("evaluation-errors"))
@@ -457,7 +447,7 @@ def error_picture(evaluation: Evaluation) -> Picture:
     count = len(panels)
     return Picture(
         "errors", "Mean absolute error of every model with its 95% interval, as published (hollow), and what"
-        " measurement alone explains (shaded).", _arrange_in_rows(panels, 2), legend=True,
+        " measurement alone explains (shaded).", arrange_in_rows(panels, 2), legend=True,
         height=0.5 + (0.5 + 0.17 * len(places)) * ((count + 1) // 2),
     )  # fmt: skip
 
@@ -507,10 +497,11 @@ def _agreement_picture(evaluation: Evaluation) -> Picture:
                 marks, axis(name, "measured"), axis(name, "model"), title=f"{quantity(name).label}: {model}", equal=True
             )
         )
-    return Picture("agreement", "Model over measured; on the line they agree.", _arrange_in_rows(panels, 3))
+    return Picture("agreement", "Model over measured; on the line they agree.", arrange_in_rows(panels, 3))
 
 
-def _arrange_in_rows(panels: Sequence[Panel], columns: int) -> list[list[Panel | None]]:
+def arrange_in_rows(panels: Sequence[Panel], columns: int) -> list[list[Panel | None]]:
+    """Return panels in rows of at most ``columns``, the last row filled up with None."""
     columns = min(columns, len(panels))
     padded = [*panels, *[None] * (-len(panels) % columns)]
     return [list(padded[start : start + columns]) for start in range(0, len(padded), columns)]

@@ -263,12 +263,11 @@ def fewest_groups(models: int) -> int:
 
 def holm(probabilities: Sequence[float]) -> list[float]:
     """Return probabilities corrected for multiple comparisons by Holm (1979), in the given order."""
-    order = sorted(range(len(probabilities)), key=lambda place: probabilities[place])
-    corrected, least = [0.0] * len(probabilities), 0.0
-    for rank, place in enumerate(order):
-        least = max(least, min(1.0, (len(probabilities) - rank) * probabilities[place]))
-        corrected[place] = least
-    return corrected
+    given = np.array(probabilities)
+    order = np.argsort(given, kind="stable")
+    corrected = np.empty(len(given))
+    corrected[order] = np.maximum.accumulate(np.minimum(1.0, np.arange(len(given), 0, -1) * given[order]))
+    return corrected.tolist()
 
 
 COVARIATES = {"speed": "mph", "path": "deg", "toe": "mm", "high": "mm", "attack": "deg", "loft": "deg", "face": "deg"}

@@ -99,10 +99,6 @@ class Profiler:
         self.values_measured = int(np.isfinite(shots.launches).sum())
         self.errors = np.where(np.isfinite(errors), np.minimum(errors, WIDEST), WIDEST)
 
-    def most_likely(self, fit: Floats) -> Floats:
-        """Return the maximum likelihood point, found by least squares from the fit with another cost."""
-        return refine(self.simulator, self.cost, fit).point
-
     def profile(self, place: int, optimum: Floats) -> Profile:
         """Return the profile of the free parameter with index ``place``, starting from the maximum likelihood point."""
         centre = float(optimum[place])

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from clubface import units
 from clubface.equipment.models import model as model_named
 from clubface.equipment.parameters import ParameterSet
-from clubface.inference.evaluation.result import error_quantity, shot_tables
+from clubface.inference.evaluation.result import arrange_in_rows, error_quantity, shot_tables
 from clubface.inference.identification.intervals import CHI_SQUARE_95, Identifiability, Profile, outside
 from clubface.quantities import display_unit, quantity
 from clubface.results.notes import Note, note
@@ -301,10 +301,7 @@ class Identification(Described):
 
     def _picture(self) -> Picture:
         """Return a panel for each free parameter: its profile likelihood with the 95% level, samples and interval."""
-        columns = min(len(self.free), COLUMNS)
-        panels = [self._panel(place, name) for place, name in enumerate(self.free)]
-        padded = [*panels, *[None] * (-len(panels) % columns)]
-        rows = [list(padded[start : start + columns]) for start in range(0, len(padded), columns)]
+        rows = arrange_in_rows([self._panel(place, name) for place, name in enumerate(self.free)], COLUMNS)
         return Picture(
             "identification", "Profile likelihoods with the level of 95%, fits to parts of the shots, and intervals",
             rows, title=f"{self.model}, {self.club}, {self.shots} shots", share_y=True, legend=True,

@@ -46,7 +46,7 @@ from clubface.shots.recorded import RecordedShots
 from clubface.simulation.impact import Parameters
 from clubface.simulation.inputs import equipped, thread_count, tolerance
 from clubface.support.arrays import Floats, ValueLike
-from clubface.support.checks import MOST_SEED, is_count
+from clubface.support.checks import MOST_SEED, check_count
 from clubface.support.files import recorded
 
 FEWEST_GROUPS = 10
@@ -190,7 +190,9 @@ class Stages:
         if not names:
             return {}
         profiler = Profiler(self.simulator, noise, information.errors)
-        optimum = np.array(self._once("most likely", lambda: profiler.most_likely(point).tolist()))
+        # The maximum likelihood point, by least squares from the fit with another cost.
+        most_likely = self._once("most likely", lambda: refine(self.simulator, profiler.cost, point).point.tolist())
+        optimum = np.array(most_likely)
         once = self._reporting("profiles", len(names))
 
         def compute(place: int) -> list[Any]:
@@ -387,18 +389,16 @@ def identify(
         "refined": (refined, 1, population), "folds": (folds, 0, 1000), "bootstrap": (bootstrap, 0, 100_000),
         "seed": (seed, 0, MOST_SEED),
     }  # fmt: skip
-    for name, (count, least, most) in counts.items():
-        if not is_count(count, least, most) or (name == "folds" and count == 1):
-            but = ", except 1" if name == "folds" else ""
-            raise InputError(name, count, f"a whole number from {least} to {most}{but}")
+    for name, given in counts.items():
+        check_count(name, *given)
+    if folds == 1:
+        raise InputError("folds", folds, "0, or at least 2")
     if not 0.5 <= confidence < 1.0:
         raise InputError("confidence", confidence, "from 0.5 to below 1")
-    equipment, given = equipped(model, club, ball, parameters)
-    head = equipment.club
-    fixed = given
-    if given.includes_face and given.characteristic_time is None:
+    (head, *_), fixed = equipped(model, club, ball, parameters)
+    if fixed.includes_face and fixed.characteristic_time is None:
         # The parameters include the face of the club: after the fit, of the club used for the shots.
-        fixed = replace(given, characteristic_time=head.characteristic_time or None)
+        fixed = replace(fixed, characteristic_time=head.characteristic_time or None)
     for name, value in fixed.values.items():
         if not isinstance(value, float):
             raise InputError(name, value, "a single number: one set of parameters is identified from all shots")
