@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import product
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -15,59 +15,33 @@ from clubface.support.checks import check_choice
 
 app = typer.Typer(add_completion=False)
 
+_OBJECTIVE = "What counts, with --golfer or --loft: carry (default), total, side_spread or strokes."
+SEARCH = options.group(
+    None,
+    club=(options.Text, None, "CLUB", "Name or TOML file; default: golfer's, or driver."),
+    speed=(options.Texts, None, '"100 mph"', "Club speed; several: comma-separated or repeated."),
+    attack=(options.Texts, None, '"0 deg"', "Attack angle; default -5, 0 and 5 deg."),
+    golfer=(options.Text, None, "NAME|FILE", "Advise this golfer, over all shots and objectives."),
+    loft=(options.Text, None, '"15.5 deg"', "Advise on this dynamic loft, at a single speed."),
+    objective=(options.Text, None, "NAME", _OBJECTIVE),
+    hole=(options.Text, None, '"430 yd"', "Length of the hole, to count strokes."),
+    chart=(options.Text, None, "NAME", "Use the speeds and attack angles of a chart: trackman or ping."),
+)
+
 
 @app.command("best-loft")
 @options.takes(
     options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, options.WORTH, show.UNITS, show.TABLE,
-    show.plot_option("best lofts and carries, those of a chart, or what loft is worth"), show.REPORT, show.JSON,
+    show.plot_option("best lofts and carries, those of a chart, or what loft is worth"), show.REPORT, show.JSON, SEARCH,
 )  # fmt: skip
-def best_loft(
-    club: Annotated[
-        str | None,
-        options.option("--club", metavar="CLUB", text="Name or TOML file; default: golfer's, or driver."),
-    ] = None,
-    speed: Annotated[
-        list[str] | None,
-        options.option("--speed", metavar='"100 mph"', text="Club speed; several: comma-separated or repeated."),
-    ] = None,
-    attack: Annotated[
-        list[str] | None,
-        options.option("--attack", metavar='"0 deg"', text="Attack angle; default -5, 0 and 5 deg."),
-    ] = None,
-    golfer: Annotated[
-        str | None,
-        options.option("--golfer", metavar="NAME|FILE", text="Advise this golfer, over all shots and objectives."),
-    ] = None,
-    loft: Annotated[
-        str | None,
-        options.option("--loft", metavar='"15.5 deg"', text="Advise on this dynamic loft, at a single speed."),
-    ] = None,
-    objective: Annotated[
-        str | None,
-        options.option(
-            "--objective",
-            metavar="NAME",
-            text="What counts, with --golfer or --loft: carry (default), total, side_spread or strokes.",
-        ),
-    ] = None,
-    hole: Annotated[
-        str | None,
-        options.option("--hole", metavar='"430 yd"', text="Length of the hole, to count strokes."),
-    ] = None,
-    chart: Annotated[
-        str | None,
-        options.option(
-            "--chart", metavar="NAME", text="Use the speeds and attack angles of a chart: trackman or ping."
-        ),
-    ] = None,
-    **texts: Any,
-) -> None:
+def best_loft(**texts: Any) -> None:
     """Find the best dynamic loft: for a golfer, by club speed, or compared with a published chart."""
     from clubface.design.best_loft import CHARTS, best_loft as find_best_loft, compare_with_chart
     from clubface.design.golfer import club_of, golfer as golfer_named
     from clubface.design.loft_fit import fit_loft, steady_golfer
     from clubface.design.strokes import Hole
 
+    club, speed, attack, golfer, loft, objective, hole, chart = (texts[name] for name in SEARCH)
     output = show.Output.check(texts, (club, golfer))
     player = None if golfer is None else golfer_named(golfer)
     own = None if player is None or club is not None else "right" if player.hand > 0 else "left"

@@ -20,30 +20,33 @@ FILE = "FILE"
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Motion capture: C3D files to deliveries.")
 
 Club = Annotated[str, options.option("--club", metavar="CLUB", text="Name of a built-in club, or a TOML file.")]
-Hand = Annotated[
-    str | None, options.option("--hand", metavar="right|left", text="Hand of the club; default: as in the club's file.")
-]
-Unit = Annotated[
-    str | None,
-    options.option("--units", metavar="UNIT", text="Unit of length, instead of the unit that the files name."),
-]
-Roughness = Annotated[float, typer.Option("--roughness", help="How sharply the smoother's path may bend.")]
-SWINGS = {"club": (Club, "driver"), "hand": (Hand, None), **options.group(None, {
-    "noise": (str, "0 mm", '"0.3 mm"', "Standard deviation of a marker along each axis."),
-    "gaps": (float, 0.0, "SHARE", "Fraction of the time that a marker is hidden, 0 to 0.5."),
-    "seed": (int, 1, "N", "Random seed: the same seed gives the same swings."),
-})}  # fmt: skip
+HAND = options.group(None, hand=(options.Text, None, "right|left", "Hand of the club; default: as in the club's file."))
+UNITS = options.group(
+    None, units=(options.Text, None, "UNIT", "Unit of length, instead of the unit that the files name.")
+)
+ROUGHNESS = options.group(None, roughness=(float, 0.6, None, "How sharply the smoother's path may bend."))
+READING = options.group(
+    None,
+    estimator=(str, "smoother", "NAME", "Estimator of the path: smoother, polynomial or linear."),
+    ball=(options.Text, None, "NAME|FILE", "The ball; only its radius is used."),
+    target=(options.Text, None, "AXIS", "Axis that points to the target: +x, -x, ..."),
+    up=(options.Text, None, "AXIS", "Axis that points up."),
+    noise=(options.Text, None, '"0.3 mm"', "Standard deviation of a marker; default: estimated."),
+)
+SWINGS = {"club": (Club, "driver"), **HAND, **options.group(None,
+    noise=(str, "0 mm", '"0.3 mm"', "Standard deviation of a marker along each axis."),
+    gaps=(float, 0.0, "SHARE", "Fraction of the time that a marker is hidden, 0 to 0.5."),
+    seed=(int, 1, "N", "Random seed: the same seed gives the same swings."),
+)}  # fmt: skip
 """Options of synthetic swings."""
 
 
 @app.command()
-@options.takes(show.JSON)
+@options.takes(show.JSON, options.LAYOUT)
 def join(
-    captured: Annotated[str, typer.Argument(metavar="CAPTURED", help="Table of deliveries, written by capture read.")],
-    session: Annotated[str, typer.Argument(metavar="SESSION", help="The launches: a monitor's file, or a table.")],
+    captured: Annotated[str, options.argument("CAPTURED", "Table of deliveries, written by capture read.")],
+    session: Annotated[str, options.argument("SESSION", "The launches: a monitor's file, or a table.")],
     target: Annotated[str, options.output(FILE, "Write the shots, CSV or Parquet.")],
-    format_: options.Format = None,
-    mapping: options.ColumnsFile = None,
     **texts: Any,
 ) -> None:
     """Pair captured deliveries with a monitor's launches, in the order in which the shots were hit."""
@@ -52,52 +55,31 @@ def join(
     from clubface.shots.recorded_result import shots_result
     from clubface.shots.tables.writer import KINDS
 
-    shown = show.Output.check(texts | {"target": target}, [captured, session, mapping], KINDS)
-    shots = join_shots(read_shots(captured), read_shots(session, format=format_, mapping=mapping))
+    shown = show.Output.check(texts | {"target": target}, [captured, session, texts["mapping"]], KINDS)
+    shots = join_shots(read_shots(captured), read_shots(session, **{name: texts[name] for name in options.LAYOUT}))
     shots.write(target)
     shown.show(shots_result(shots), write_table=False)
 
 
 @app.command()
-@options.takes(show.JSON)
+@options.takes(show.JSON, READING, HAND, UNITS, ROUGHNESS, show.plot_option(PICTURES))
 def read(
-    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="C3D files of one session.")],
+    files: Annotated[list[str], options.argument("FILE...", "C3D files of one session.")],
     markers: Annotated[str, typer.Option("--markers", metavar=FILE, help="TOML file with the meaning of each marker.")],
     club: Club,
-    estimator: Annotated[
-        str, typer.Option("--estimator", metavar="NAME", help="Estimator of the path: smoother, polynomial or linear.")
-    ] = "smoother",
-    hand: Hand = None,
-    ball: Annotated[
-        str | None, typer.Option("--ball", metavar="NAME|FILE", help="The ball; only its radius is used.")
-    ] = None,
-    target: Annotated[
-        str | None, options.option("--target", metavar="AXIS", text="Axis that points to the target: +x, -x, ...")
-    ] = None,
-    up: Annotated[str | None, options.option("--up", metavar="AXIS", text="Axis that points up.")] = None,
-    units: Unit = None,
-    roughness: Roughness = 0.6,
-    noise: Annotated[
-        str | None,
-        options.option("--noise", metavar='"0.3 mm"', text="Standard deviation of a marker; default: estimated."),
-    ] = None,
     target_file: Annotated[str | None, options.output(FILE, "Write the deliveries, CSV or Parquet.")] = None,
-    picture: Annotated[str | None, options.picture(PICTURES)] = None,
     **texts: Any,
 ) -> None:
     """Read the delivery and its uncertainty from recordings of swings."""
     from clubface.capture.swing import read_swings
     from clubface.shots.tables.writer import KINDS
 
-    shown = show.Output.check(texts)
+    shown = show.Output(texts["as_json"])
     output.check_target("--output", target_file, KINDS, [*files, markers])
-    pictures = _picture_file(picture, target_file, files, markers)
+    pictures = _picture_file(texts["plot"], target_file, files, markers)
+    how = {name: texts[name] for name in (*READING, *HAND, *ROUGHNESS)}
     with progress_bar("swings") as progress:
-        swings = read_swings(
-            files, markers, club, estimator=estimator, roughness=roughness, hand=hand, ball=ball, target=target, up=up,
-            unit=units, noise=noise,
-            progress=progress,
-        )  # fmt: skip
+        swings = read_swings(files, markers, club, **how, unit=texts["units"], progress=progress)
     written = swings.write(target_file) if target_file is not None and len(swings) else []
     if pictures is not None and len(swings):
         from clubface.capture.captured import save_swings
@@ -139,19 +121,17 @@ def _picture_file(picture: str | None, table: str | None, files: list[str], mapp
 
 
 @app.command()
-@options.takes(show.JSON)
-def markers(
-    file: Annotated[str, typer.Argument(metavar=FILE, help="A C3D file.")], units: Unit = None, **texts: Any
-) -> None:
+@options.takes(show.JSON, UNITS)
+def markers(file: Annotated[str, options.argument(FILE, "A C3D file.")], **texts: Any) -> None:
     """List the markers of a recording: how often each is seen, where and how fast."""
     from clubface.capture.recording import read_c3d
 
-    show.Output.check(texts).show(read_c3d(file, unit=units).to_result())
+    show.Output.check(texts).show(read_c3d(file, unit=texts["units"]).to_result())
 
 
 @app.command()
 def template(
-    file: Annotated[str | None, typer.Argument(metavar=FILE, help="A C3D file; the mapping lists its markers.")] = None,
+    file: Annotated[str | None, options.argument(FILE, "A C3D file; the mapping lists its markers.")] = None,
     target_file: options.Template = None,
 ) -> None:
     """Print a commented mapping file to start your own from."""
@@ -163,49 +143,44 @@ def template(
 
 
 @app.command()
-@options.takes(SWINGS)
+@options.takes(SWINGS, options.group(None,
+    count=(int, 10, "NUMBER", "Number of swings."),
+    rate=(float | None, None, "HZ", "Frames per second; default 720, or 360 with --bare."),
+    bare=(bool, False, None, "Only three markers on the head and an address: no ball, no calibration."),
+))  # fmt: skip
 def synthesize(
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")],
-    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 10,
-    rate: Annotated[
-        float | None,
-        options.option("--rate", metavar="HZ", text="Frames per second; default 720, or 360 with --bare."),
-    ] = None,
-    bare: Annotated[
-        bool, typer.Option("--bare", help="Only three markers on the head and an address: no ball, no calibration.")
-    ] = False,
     **texts: Any,
 ) -> None:
     """Write swings with an exactly known delivery, with calibration, mapping file and truth."""
     from clubface.capture.synthetic.laboratory import BARE_RATE, Cameras, synthesize as write_usual, synthesize_bare
 
-    write, usual = (synthesize_bare, BARE_RATE) if bare else (write_usual, Cameras.rate)
-    swings = _swings(texts, usual if rate is None else rate)
+    write, usual = (synthesize_bare, BARE_RATE) if texts["bare"] else (write_usual, Cameras.rate)
+    count, swings = texts["count"], _swings(texts, usual if texts["rate"] is None else texts["rate"])
     with progress_bar("swings") as progress:
         files = write(folder, count, **swings, progress=progress)
     print_note(f"wrote {count} swings, {', '.join(each.name for each in files[count:])} to {folder}")
 
 
 @app.command()
-@options.takes(SWINGS | {"noise": (SWINGS["noise"][0], "0.3 mm")}, show.plot_option("bias and spread"), show.JSON)
-def study(
-    count: Annotated[int, typer.Option("--count", metavar="NUMBER", help="Number of swings.")] = 200,
-    rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Frames per second.")] = 720.0,
-    roughness: Roughness = 0.6,
-    checkpoint: Annotated[
-        str | None,
-        options.option(
-            "--checkpoint", metavar="FOLDER", text="Keep finished work here, so that the same command continues."
-        ),
-    ] = None,
-    **texts: Any,
-) -> None:
+@options.takes(
+    SWINGS | {"noise": (SWINGS["noise"][0], "0.3 mm")}, show.plot_option("bias and spread"), show.JSON,
+    options.group(None,
+        count=(int, 200, "NUMBER", "Number of swings."),
+        rate=(float, 720.0, "HZ", "Frames per second."),
+        checkpoint=(options.Text, None, "FOLDER", "Keep finished work here, so that the same command continues."),
+    ), ROUGHNESS,
+)  # fmt: skip
+def study(**texts: Any) -> None:
     """Compare the estimators on swings with a known delivery: bias, spread, coverage."""
     from clubface.capture.study import study as run
 
     shown = show.Output.check(texts)
     with progress_bar("swings") as progress:
-        result = run(count, **_swings(texts, rate), roughness=roughness, checkpoint=checkpoint, progress=progress)
+        result = run(
+            texts["count"], **_swings(texts, texts["rate"]), roughness=texts["roughness"],
+            checkpoint=texts["checkpoint"], progress=progress,
+        )  # fmt: skip
     shown.show(result.to_result())
 
 

@@ -24,13 +24,13 @@ app = typer.Typer(add_completion=False, help="Make and check a club file.", no_a
 
 
 @app.command()
-@options.takes(options.group(None, {
-    "like": (str | None, None, "CLUB", "Start from this club instead of the commented template."),
-    "set": (options.Texts, None, '"cg_x=38 mm"',
-            "Change a value; several: comma-separated or repeated; inertia=+10% scales the whole tensor."),
-}))  # fmt: skip
+@options.takes(options.group(None,
+    like=(str | None, None, "CLUB", "Start from this club instead of the commented template."),
+    set=(options.Texts, None, '"cg_x=38 mm"',
+         "Change a value; several: comma-separated or repeated; inertia=+10% scales the whole tensor."),
+))  # fmt: skip
 def new(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the club.")] = "my-club",
+    name: Annotated[str, options.argument("NAME", "Name of the club.")] = "my-club",
     target: options.Template = None,
     **texts: Any,
 ) -> None:
@@ -89,7 +89,7 @@ def _factor(text: str) -> float:
 
 @app.command()
 @options.takes(show.REPORT, show.JSON)
-def check(file: Annotated[str, typer.Argument(metavar="FILE", help="A club file (TOML).")], **texts: Any) -> None:
+def check(file: Annotated[str, options.argument("FILE", "A club file (TOML).")], **texts: Any) -> None:
     """Check the mass, inertia and face in a club file, and the limits of the rules."""
     from clubface.design.rules import check_result
     from clubface.equipment.clubs import Club

@@ -14,10 +14,7 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(show.REPORT, show.JSON)
 def clubs(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME|FILE]", help="Show this club in full.", show_default=False)
-    ] = None,
-    **texts: Any,
+    name: Annotated[str | None, options.argument("[NAME|FILE]", "Show this club in full.")] = None, **texts: Any
 ) -> None:
     """List the built-in clubs by kind, and the balls, or show one club with the source of every value."""
     from clubface.equipment.clubs import club

@@ -141,23 +141,23 @@ app = typer.Typer(add_completion=False)
 _REPEATABLE = "Repeatable: anything given more than once is compared."
 COMPARED: options.Group = {
     "hand": options.EQUIPMENT["hand"],
-    **options.group("Club and ball", {
-        "ball": (options.Texts, None, "NAME|FILE", f"A ball; default modern. {_REPEATABLE}"),
-    }),
+    **options.group("Club and ball",
+        ball=(options.Texts, None, "NAME|FILE", f"A ball; default modern. {_REPEATABLE}"),
+    ),
     **options.MODELS,
-    **options.group("Model", {
-        "parameters": (options.Texts, None, "NAME|FILE", f"A published set or a TOML file. {_REPEATABLE}"),
-    }),
-    **options.group(None, {
-        "delivery": (options.Texts, None, '"loft=12 deg, toe=8 mm"', f"Values of one delivery. {_REPEATABLE}"),
-        "deliveries": (str | None, None, "FILE", "CSV or Parquet file with one delivery per row."),
-        "label": (options.Texts, None, "NAME",
-                  "Your own name for a column. Give it once for each column, in order."),
-        "split": (bool, True, None, "Split the differences into contributions."),
-        "nodes": (int | None, None, "N", "Number of points at which derivatives are taken, 1 to 64."),
-        "unit": (options.Texts, None, "NAME=UNIT", "Unit of a quantity in tables, carry=m, or of columns of "
-                 "--deliveries without a unit, speed=mph. Repeatable."),
-    }),
+    **options.group("Model",
+        parameters=(options.Texts, None, "NAME|FILE", f"A published set or a TOML file. {_REPEATABLE}"),
+    ),
+    **options.group(None,
+        delivery=(options.Texts, None, '"loft=12 deg, toe=8 mm"', f"Values of one delivery. {_REPEATABLE}"),
+        deliveries=(str | None, None, "FILE", "CSV or Parquet file with one delivery per row."),
+        label=(options.Texts, None, "NAME",
+               "Your own name for a column. Give it once for each column, in order."),
+        split=(bool, True, None, "Split the differences into contributions."),
+        nodes=(int | None, None, "N", "Number of points at which derivatives are taken, 1 to 64."),
+        unit=(options.Texts, None, "NAME=UNIT", "Unit of a quantity in tables, carry=m, or of columns of "
+              "--deliveries without a unit, speed=mph. Repeatable."),
+    ),
 }  # fmt: skip
 
 
@@ -168,7 +168,7 @@ COMPARED: options.Group = {
     show.plot_option("flights and contributions"), show.REPORT, show.JSON,
 )  # fmt: skip
 def compare(
-    clubs: Annotated[list[str], typer.Argument(metavar="CLUB...", help="Built-in clubs, or TOML files.")], **texts: Any
+    clubs: Annotated[list[str], options.argument("CLUB...", "Built-in clubs, or TOML files.")], **texts: Any
 ) -> None:
     """Compare clubs, balls, models, parameters or deliveries, and show what makes the difference."""
     from clubface.design.comparison import MOST, compare as computed

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import nullcontext
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -24,14 +24,12 @@ app = typer.Typer(add_completion=False)
 
 LOFT_THAT_COUNTS = 0.05
 """Difference in static loft [deg] above which a note says that the dynamic loft belongs to another club."""
-HOLE = options.group("Hole", {
-    "hole": (str | None, None, '"430 yd"', "Length of a hole, to count strokes."),
-    "fairway": (str | None, None, '"32 yd"', "Width of the fairway."),
-    "rough": (str | None, None, '"20 yd"', "Width of the rough on either side; beyond it are trees."),
-    "lie": (str | None, None, "NAME", "Where the shot is played from; default tee."),
-})  # fmt: skip
-_CLUB = options.option(
-    "--club", panel="Club and ball", metavar="CLUB", text="Name or TOML file; default: the golfer's club."
+HOLE = options.group(
+    "Hole",
+    hole=(str | None, None, '"430 yd"', "Length of a hole, to count strokes."),
+    fairway=(str | None, None, '"32 yd"', "Width of the fairway."),
+    rough=(str | None, None, '"20 yd"', "Width of the rough on either side; beyond it are trees."),
+    lie=(str | None, None, "NAME", "Where the shot is played from; default tee."),
 )
 
 
@@ -40,16 +38,16 @@ _CLUB = options.option(
     options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, HOLE, show.UNITS,
     show.table_option("Write every shot to this file, CSV or Parquet."),
     show.plot_option("where the balls land and what spreads them"), show.REPORT, show.JSON,
+    options.group("Club and ball",
+        club=(options.Text, None, "CLUB", "Name or TOML file; default: the golfer's club."),
+    ),
+    options.group(None, count=(int | None, None, "N", "Number of shots; default 16384.")), options.SEED,
+    options.group(None,
+        no_flight=(bool, False, None, "Compute only launches, not flights."),
+        no_shares=(bool, False, None, "Do not compute what spreads the shots."),
+    ),
 )  # fmt: skip
-def dispersion(
-    golfer: GolferArgument,
-    club: Annotated[str | None, _CLUB] = None,
-    count: Annotated[int | None, typer.Option("--count", metavar="N", help="Number of shots; default 16384.")] = None,
-    seed: options.Seed = 0,
-    no_flight: Annotated[bool, typer.Option("--no-flight", help="Compute only launches, not flights.")] = False,
-    no_shares: Annotated[bool, typer.Option("--no-shares", help="Do not compute what spreads the shots.")] = False,
-    **texts: Any,
-) -> None:
+def dispersion(golfer: GolferArgument, **texts: Any) -> None:
     """Simulate many shots of a golfer and sum up where they go."""
     from clubface.design.dispersion import COUNT, ImpactSetup, dispersion as compute, shots_file
     from clubface.design.dispersion_result import dispersion_result
@@ -58,6 +56,7 @@ def dispersion(
     from clubface.shots.tables.writer import KINDS
 
     output = show.Output.check(texts, kinds=KINDS)
+    club, count, seed, no_flight = (texts[name] for name in ("club", "count", "seed", "no_flight"))
     for name, value in {name: texts[name] for name in ("hole", *options.AIR)}.items():
         if no_flight and value is not None:
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
@@ -81,7 +80,7 @@ def dispersion(
     impact_setup = ImpactSetup(head, **setup)
     slopes = by_derivatives(shots.golfer, impact_setup) if shots.model in models() else None
     shares = None
-    if not (no_shares or no_flight) and shots.golfer.spread.any():
+    if not (texts["no_shares"] or no_flight) and shots.golfer.spread.any():
         with progress_bar("orders of what varies") as progress:
             shares = indices(shots.golfer, impact_setup, seed=seed, progress=progress)
     output.show(dispersion_result(shots, slopes, shares), write_table=False)

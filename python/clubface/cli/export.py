@@ -13,15 +13,13 @@ app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Write files with which other programs compute impacts."
 )
 
-FUNCTION = options.group("Function", {
-    "by": (options.Texts, None, "NAME", "Input or parameter that the function takes, such as toe; default: the "
-                                        "delivery of the club. Several: comma-separated or repeated."),
-    "quantity": (options.Texts, None, "NAME", "Launch quantity that it returns, such as backspin; default: all. "
-                                              "Several: comma-separated or repeated."),
-})  # fmt: skip
-UNIT = options.group("Unit", {
-    "standard": (str, "2.0", "VERSION", "Version of the FMI standard: 2.0 or 3.0."),
-})  # fmt: skip
+FUNCTION = options.group("Function",
+    by=(options.Texts, None, "NAME", "Input or parameter that the function takes, such as toe; default: the "
+                                     "delivery of the club. Several: comma-separated or repeated."),
+    quantity=(options.Texts, None, "NAME", "Launch quantity that it returns, such as backspin; default: all. "
+                                           "Several: comma-separated or repeated."),
+)  # fmt: skip
+UNIT = options.group("Unit", standard=(str, "2.0", "VERSION", "Version of the FMI standard: 2.0 or 3.0."))
 Source = Annotated[str, options.output("FILE", "Write it to this file. Required.")]
 
 

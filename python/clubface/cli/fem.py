@@ -25,47 +25,51 @@ app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Finite elements: impacts of meshed balls and heads, better heads."
 )
 
-CaseArgument = Annotated[str, typer.Argument(metavar="CASE", help="A built-in case, or a TOML file.")]
-HeadArgument = Annotated[str, typer.Argument(metavar="NAME|FILE", help="A meshed head.")]
-CASE = options.group(None, {"case": (str, "paper", "NAME|FILE", "The case to vary.")})
+CaseArgument = Annotated[str, options.argument("CASE", "A built-in case, or a TOML file.")]
+HeadArgument = Annotated[str, options.argument("NAME|FILE", "A meshed head.")]
+CASE = options.group(None, case=(str, "paper", "NAME|FILE", "The case to vary."))
 BALL = "A ball made of pieces."
-WORKERS = options.group(None, {"workers": (int | None, None, "N", "Number of runs at a time; default: all cores.")})
-REFERENCE = options.group(None, {
-    "friction": (float, 0.35, "NUMBER", "Coefficient of friction."),
-    "refine": (int, 1, "TIMES", "Refinement of the mesh along every edge, 1 to 8."),
-    "element": (str, "one-point", "one-point|full", "Element type."),
-    "ball": (str, "reference", "NAME|FILE", BALL),
-    "contact": (str, "penalty", "penalty|augmented-lagrange", "Contact method."),
-    "meshes": (int, 1, "COUNT", "Number of meshes, 1 to 6, each with a third more elements along every edge."),
-})  # fmt: skip
+WORKERS = options.group(None, workers=(int | None, None, "N", "Number of runs at a time; default: all cores."))
+REFERENCE = options.group(
+    None,
+    friction=(float, 0.35, "NUMBER", "Coefficient of friction."),
+    refine=(int, 1, "TIMES", "Refinement of the mesh along every edge, 1 to 8."),
+    element=(str, "one-point", "one-point|full", "Element type."),
+    ball=(str, "reference", "NAME|FILE", BALL),
+    contact=(str, "penalty", "penalty|augmented-lagrange", "Contact method."),
+    meshes=(int, 1, "COUNT", "Number of meshes, 1 to 6, each with a third more elements along every edge."),
+)
 MOVING = 81
 """Number of frames in an animation."""
 SPEEDS, LOFTS = "30:60:5", "8:12:1"
 """The case of Fig. 8 in Roh and Lee."""
-GRID = options.group(None, {
-    "speed": (str, SPEEDS, "FIRST:LAST:STEP", "Clubhead speeds, m/s."),
-    "loft": (str, LOFTS, "FIRST:LAST:STEP", "Lofts, deg."),
-})  # fmt: skip
-FACE = options.group(None, {
-    "toe": (str, "-20:20:10", "FIRST:LAST:STEP", "Points, mm towards the toe."),
-    "high": (str, "-8:8:8", "FIRST:LAST:STEP", "Points, mm above the centre."),
-    "ball": (str, "modern", "NAME|FILE", BALL),
-})  # fmt: skip
-TESTS = options.group("Tests", {
-    "measure": (bool, False, None, "Also simulate restitution and characteristic time; takes seconds."),
-    "impact_speed": (str | None, None, '"125 mph"', "Also simulate an impact: the stress, and where the metal yields."),
-    "toe": (str | None, None, '"8 mm"', "With --measure or --impact-speed: how far towards the toe."),
-    "high": (str | None, None, '"3 mm"', "With --measure or --impact-speed: how far above the face centre."),
-    "ball": (str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; default modern."),
-    "safety": (float | None, None, "SHARE", "With --measure or --impact-speed: time step over the stable one."),
-    "meshes": (int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, to compare the stress."),
-})  # fmt: skip
+GRID = options.group(
+    None,
+    speed=(str, SPEEDS, "FIRST:LAST:STEP", "Clubhead speeds, m/s."),
+    loft=(str, LOFTS, "FIRST:LAST:STEP", "Lofts, deg."),
+)
+FACE = options.group(
+    None,
+    toe=(str, "-20:20:10", "FIRST:LAST:STEP", "Points, mm towards the toe."),
+    high=(str, "-8:8:8", "FIRST:LAST:STEP", "Points, mm above the centre."),
+    ball=(str, "modern", "NAME|FILE", BALL),
+)
+TESTS = options.group(
+    "Tests",
+    measure=(bool, False, None, "Also simulate restitution and characteristic time; takes seconds."),
+    impact_speed=(str | None, None, '"125 mph"', "Also simulate an impact: the stress, and where the metal yields."),
+    toe=(str | None, None, '"8 mm"', "With --measure or --impact-speed: how far towards the toe."),
+    high=(str | None, None, '"3 mm"', "With --measure or --impact-speed: how far above the face centre."),
+    ball=(str | None, None, "NAME|FILE", "With --measure or --impact-speed: the ball; default modern."),
+    safety=(float | None, None, "SHARE", "With --measure or --impact-speed: time step over the stable one."),
+    meshes=(int, 3, "COUNT", "With --impact-speed: number of meshes, 1 to 3, to compare the stress."),
+)
 OLD_TESTS = {"blow": "impact_speed"}
 
 
 @app.command("ball")
 @options.takes(show.JSON)
-def ball(name: Annotated[str, typer.Argument(metavar="NAME|FILE", help=BALL)], **texts: Any) -> None:
+def ball(name: Annotated[str, options.argument("NAME|FILE", BALL)], **texts: Any) -> None:
     """Mesh a ball; compare mass, diameter and inertia with the specified values and with the rules."""
     from clubface import fem
 
@@ -135,13 +139,11 @@ def face(name: HeadArgument, **texts: Any) -> None:
 @app.command("design")
 @options.takes(
     show.table_option("Write the best head to this TOML file, for fem head and shot."),
-    show.plot_option("all designs that were computed"), show.REPORT, {"resume": (options.Resume, False)}, WORKERS,
+    show.plot_option("all designs that were computed"), show.REPORT, options.RESUME, WORKERS,
     show.JSON,
 )  # fmt: skip
 def design(
-    study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A TOML file: head, walls that may change, objective, limits.")
-    ],
+    study: Annotated[str, options.argument("STUDY", "A TOML file: head, walls that may change, objective, limits.")],
     **texts: Any,
 ) -> None:
     """Find the best walls of a head: a fast model proposes designs, finite elements check speed, stress and limits."""
@@ -184,10 +186,10 @@ def reference(**texts: Any) -> None:
 @app.command("run")
 @options.takes(
     show.FOLDER,
-    options.group(None, {
-        "frames": (int | None, None, "NUMBER", "Number of deformed shapes to keep; default: as in the case."),
-        "animate": (bool, False, None, "With --output: also write an animation (GIF)."),
-    }),
+    options.group(None,
+        frames=(int | None, None, "NUMBER", "Number of deformed shapes to keep; default: as in the case."),
+        animate=(bool, False, None, "With --output: also write an animation (GIF)."),
+    ),
     show.REPORT, show.JSON,
 )  # fmt: skip
 def run(case: CaseArgument, **texts: Any) -> None:
@@ -222,7 +224,7 @@ def run(case: CaseArgument, **texts: Any) -> None:
 @app.command("paper")
 @options.takes(
     CASE, show.FOLDER,
-    options.group(None, {"sweep": (bool, True, None, "With --output: also redraw Fig. 8, which takes 35 runs.")}),
+    options.group(None, sweep=(bool, True, None, "With --output: also redraw Fig. 8, which takes 35 runs.")),
     show.JSON,
 )  # fmt: skip
 def paper(**texts: Any) -> None:
@@ -262,15 +264,13 @@ def sweep(**texts: Any) -> None:
     show.Output(texts["as_json"]).show(result, more=written)
 
 
+_FORMATS = "lsdyna writes a keyword deck, vtu deformed shapes over time."
+
+
 @app.command("export")
 def export(
     case: CaseArgument = "paper",
-    form: Annotated[
-        str,
-        typer.Option(
-            "--format", metavar="lsdyna|vtu", help="lsdyna writes a keyword deck, vtu deformed shapes over time."
-        ),
-    ] = "vtu",
+    form: Annotated[str, typer.Option("--format", metavar="lsdyna|vtu", help=_FORMATS)] = "vtu",
     folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")] = "out",
 ) -> None:
     """Write a case as a keyword deck, or run it and write its shapes for ParaView."""

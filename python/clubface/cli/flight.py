@@ -10,10 +10,13 @@ from clubface.cli import options, show
 
 app = typer.Typer(add_completion=False)
 
+_HAND = "Hand of the player, for the name of the shot; default right."
+HAND = options.group(None, hand=(options.Text, None, "right|left", _HAND))
+
 
 @app.command()
 @options.takes(
-    options.LAUNCH, options.BALL, {"hand": options.PLAYER_HAND}, options.AIR, options.GROUND, show.UNITS,
+    options.LAUNCH, options.BALL, HAND, options.AIR, options.GROUND, show.UNITS,
     show.plot_option("the flight"), show.REPORT, show.JSON,
 )  # fmt: skip
 def flight(**texts: Any) -> None:

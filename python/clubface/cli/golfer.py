@@ -14,7 +14,7 @@ from clubface.cli.recorded import RECORDED, Files, recorded_shots
 app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Golfers: how their deliveries vary from shot to shot."
 )
-GolferArgument = Annotated[str, typer.Argument(metavar="GOLFER", help="Name of a built-in golfer, or a TOML file.")]
+GolferArgument = Annotated[str, options.argument("GOLFER", "Name of a built-in golfer, or a TOML file.")]
 
 
 @app.command("list")
@@ -48,11 +48,11 @@ def show_golfer(golfer: GolferArgument, **texts: Any) -> None:
     shown.show(golfer_result(player, head, doubts=known))
 
 
-ESTIMATED = options.group(None, {
-    "name": (str, "my golfer", "NAME", "Name of the golfer."),
-    "like": (str | None, None, "GOLFER",
-             "Golfer that supplies what was not measured; default: the built-in one nearest in speed."),
-})  # fmt: skip
+ESTIMATED = options.group(None,
+    name=(str, "my golfer", "NAME", "Name of the golfer."),
+    like=(str | None, None, "GOLFER",
+          "Golfer that supplies what was not measured; default: the built-in one nearest in speed."),
+)  # fmt: skip
 
 
 @app.command("estimate")

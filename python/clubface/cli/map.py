@@ -15,14 +15,14 @@ from clubface.errors import ClubfaceError, InputError
 from clubface.support.checks import check_names
 
 app = typer.Typer(add_completion=False)
-MAP = options.group(None, {
-    "minus": (str | None, None, "CLUB", "Map the first club minus this one."),
-    "quantity": (options.Texts, None, "NAME", "A quantity, such as carry. Several: comma-separated or repeated."),
-    "grid": (str | None, None, "101x101", "Number of points towards the toe and upwards."),
-    "spread": (str | None, None, '"12 mm x 9 mm"', "Standard deviations of impacts towards the toe and upwards, about "
-               "--toe and --high, to compute what they cost."),
-    "workers": (int | None, None, "N", "With fem: number of points at a time; default: all cores."),
-})  # fmt: skip
+MAP = options.group(None,
+    minus=(str | None, None, "CLUB", "Map the first club minus this one."),
+    quantity=(options.Texts, None, "NAME", "A quantity, such as carry. Several: comma-separated or repeated."),
+    grid=(str | None, None, "101x101", "Number of points towards the toe and upwards."),
+    spread=(str | None, None, '"12 mm x 9 mm"', "Standard deviations of impacts towards the toe and upwards, about "
+            "--toe and --high, to compute what they cost."),
+    workers=(int | None, None, "N", "With fem: number of points at a time; default: all cores."),
+)  # fmt: skip
 
 
 @app.command()

@@ -14,10 +14,7 @@ app = typer.Typer(add_completion=False)
 @app.command()
 @options.takes(show.REPORT, show.JSON)
 def models(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Show this model in full.", show_default=False)
-    ] = None,
-    **texts: Any,
+    name: Annotated[str | None, options.argument("[NAME]", "Show this model in full.")] = None, **texts: Any
 ) -> None:
     """List the impact models, or show one with its parameters and their published values."""
     from clubface.equipment.listings import models_result

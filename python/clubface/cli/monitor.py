@@ -27,10 +27,13 @@ LONGEST = 30 * 86400.0
 MOST_SHOTS = 1_000_000
 SHOWN = ("ball_speed", "launch", "azimuth", "total_spin")
 """The quantities printed for a shot."""
-PORT = options.group(None, {"port": (int, 921, "NUMBER", "Port on this machine.")})
-HAND = options.text_option("--hand", None, "right|left", "Hand of the player.")
-_CLUBS = options.option(
-    "--club", metavar="CLUB|NAME=CLUB", text="Convert club data for this club, or NAME=CLUB for each name in the file."
+PORT = options.group(None, port=(int, 921, "NUMBER", "Port on this machine."))
+HAND = options.group(None, hand=(options.Text, None, "right|left", "Hand of the player."))
+_CLUBS = "Convert club data for this club, or NAME=CLUB for each name in the file."
+CONVERTED = options.group(
+    None,
+    club=(options.Texts, None, "CLUB|NAME=CLUB", _CLUBS),
+    rejects=(options.Text, None, "FILE", "Write the rows without a shot, with reasons."),
 )
 
 app = typer.Typer(add_completion=False, no_args_is_help=True, help="Launch monitors: files and live shots.")
@@ -39,13 +42,13 @@ app = typer.Typer(add_completion=False, no_args_is_help=True, help="Launch monit
 @app.command()
 @options.takes(
     PORT,
-    options.group(None, {
-        "hand": (str | None, None, "right|left", "Hand of the player, to send to the monitor."),
-        "club": (str | None, None, "NAME", "Club to send to the monitor: DR."),
-        "shots": (int | None, None, "NUMBER", "End after this many shots."),
-        "timeout": (str | None, None, '"60 s"', "End when nothing has come for this long."),
-        "json": (bool, False, None, "Print one JSON document for each shot."),
-    }),
+    options.group(None,
+        hand=(str | None, None, "right|left", "Hand of the player, to send to the monitor."),
+        club=(str | None, None, "NAME", "Club to send to the monitor: DR."),
+        shots=(int | None, None, "NUMBER", "End after this many shots."),
+        timeout=(str | None, None, '"60 s"', "End when nothing has come for this long."),
+        json=(bool, False, None, "Print one JSON document for each shot."),
+    ),
     show.table_option("Write the shots to a new CSV or Parquet file, kept up to date."),
 )  # fmt: skip
 def listen(**texts: Any) -> None:
@@ -93,14 +96,14 @@ def listen(**texts: Any) -> None:
 @app.command()
 @options.takes(
     PORT, READING,
-    options.group(None, {
-        "shot": (str | None, None, "FIRST:LAST", "Send only these, counted from 1; default: all."),
-        "pause": (str, "0 s", '"2 s"', "Pause between shots."),
-        "timeout": (str, "5 s", '"5 s"', "How long to wait for each answer."),
-    }),
+    options.group(None,
+        shot=(str | None, None, "FIRST:LAST", "Send only these, counted from 1; default: all."),
+        pause=(str, "0 s", '"2 s"', "Pause between shots."),
+        timeout=(str, "5 s", '"5 s"', "How long to wait for each answer."),
+    ),
 )  # fmt: skip
 def send(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="Shots: a monitor's file, or a clubface table.")],
+    file: Annotated[str, options.argument("FILE", "Shots: a monitor's file, or a clubface table.")],
     **texts: Any,
 ) -> None:
     """Send the launches of a table to a simulator over GSPro Open Connect, in place of a launch monitor."""
@@ -139,7 +142,7 @@ def send(
 @app.command()
 @options.takes(
     READING,
-    {"hand": HAND},
+    HAND,
     show.plot_option("where each club lands and the gaps between clubs"),
     show.REPORT,
     show.JSON,
@@ -153,13 +156,14 @@ def summary(files: Files, **texts: Any) -> None:
 
 
 @app.command()
-@options.takes(READING, {"hand": HAND})
+@options.takes(
+    READING,
+    HAND,
+    options.group(None, club=(options.Text, None, "NAME", "The club, if the shots do not name one: 7-iron.")),
+)
 def report(
     files: Files,
     target: Annotated[str, options.output("FILE", "The report to write: .html or .md, with its pictures inside.")],
-    club: Annotated[
-        str | None, options.option("--club", metavar="NAME", text="The club, if the shots do not name one: 7-iron.")
-    ] = None,
     **texts: Any,
 ) -> None:
     """Write a report for a player, in plain language: what was measured, what it means, and how certain that is."""
@@ -173,33 +177,26 @@ def report(
 
     output.check_report(target, [*files, texts["mapping"]], "--output")
     shots = read_shots(files, texts, where=True)
-    if club is not None:
-        shots = replace(shots, clubs=np.full(len(shots), club, dtype=object))
+    if texts["club"] is not None:
+        shots = replace(shots, clubs=np.full(len(shots), texts["club"], dtype=object))
     result = player_result(shots, loft_notes=player_loft_notes)
     result = result.replace(provenance=result.provenance.with_files())
     print_note(f"wrote {write_report(result, target, command=typed_command())}")
 
 
 @app.command()
-@options.takes(READING, {"hand": HAND}, show.table_option("Write one CSV or Parquet file."), show.REPORT, show.JSON)
-def read(
-    files: Files,
-    club: Annotated[list[str] | None, _CLUBS] = None,
-    rejects: Annotated[
-        str | None, options.option("--rejects", metavar="FILE", text="Write the rows without a shot, with reasons.")
-    ] = None,
-    **texts: Any,
-) -> None:
+@options.takes(READING, HAND, show.table_option("Write one CSV or Parquet file."), show.REPORT, show.JSON, CONVERTED)
+def read(files: Files, **texts: Any) -> None:
     """Read a launch monitor's file and write its shots in the units and signs of clubface."""
     from clubface.present.report import write_table
     from clubface.shots.recorded_result import rejected_table, shots_result
 
-    read_files = [*files, texts["mapping"]]
+    read_files, rejects = [*files, texts["mapping"]], texts["rejects"]
     shown = show.Output.check(texts, read_files)
     output.check_target("--rejects", rejects, (".csv",), read_files)
     if shown.target is not None and rejects is not None and same_file(shown.target, rejects):
         raise InputError("--rejects", rejects, "a file other than the output")
-    shots = read_shots(files, texts, _clubs(club or []), where=True)
+    shots = read_shots(files, texts, _clubs(texts["club"] or []), where=True)
     if shown.target is not None:
         shots.write(shown.target)
     if rejects is not None:
@@ -210,10 +207,7 @@ def read(
 @app.command()
 @options.takes(show.JSON)
 def formats(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Show the columns of this layout.", show_default=False)
-    ] = None,
-    **texts: Any,
+    name: Annotated[str | None, options.argument("[NAME]", "Show the columns of this layout.")] = None, **texts: Any
 ) -> None:
     """List the supported layouts, or show the columns of one."""
     from clubface.shots.monitors import format_result, formats_result

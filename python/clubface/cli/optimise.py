@@ -19,12 +19,10 @@ app = typer.Typer(add_completion=False)
         "Write the best club to this TOML file, for clubface shot; or all combinations of a fitting, CSV."
     ),
     show.plot_option("the landings, and the front, bounds or parts"), show.REPORT,
-    {"resume": (options.Resume, False)}, options.WORTH, show.JSON,
+    options.RESUME, options.WORTH, show.JSON,
 )  # fmt: skip
 def optimise(
-    study: Annotated[
-        str, typer.Argument(metavar="STUDY", help="A TOML file: what may change, the objective, for whom.")
-    ],
+    study: Annotated[str, options.argument("STUDY", "A TOML file: what may change, the objective, for whom.")],
     **texts: Any,
 ) -> None:
     """Find the best club for golfers within limits, or the parts that fit them best."""

@@ -30,12 +30,16 @@ def output(metavar: str, text: str) -> Any:
     return option("--output", "-o", metavar=metavar, text=text)
 
 
-def text_option(name: str, panel: str | None, metavar: str, text: str) -> tuple[Any, None]:
-    """Return the annotation and default of a text option."""
-    return Annotated[str | None, option(name, panel=panel, metavar=metavar, text=text)], None
+def argument(metavar: str, text: str) -> Any:
+    """Return an argument with its help ``text``."""
+    return typer.Argument(metavar=metavar, help=text)
 
 
-def group(panel: str | None, rows: Mapping[str, tuple[Any, Any, str | None, str]]) -> Group:
+Text, Texts = str | None, list[str] | None
+"""Types of options for a text or several."""
+
+
+def group(panel: str | None, /, **rows: tuple[Any, Any, str | None, str]) -> Group:
     """Return the options of one help panel, each given as name, type, default, placeholder and help."""
     options = {}
     for name, (kind, default, metavar, text) in rows.items():
@@ -65,43 +69,24 @@ def take_renamed(texts: dict[str, Any], **names: str) -> None:
             texts[new] = text
 
 
-def _quantities(subject: str, **examples: tuple[str, str]) -> dict[str, tuple[Any, None]]:
+def _quantities(subject: str, **examples: tuple[str, str]) -> Group:
     """Return options for physical quantities, each with an example and a help text."""
-    return {
-        name: text_option(f"--{name.replace('_', '-')}", f"{subject} (a value with its unit)", f'"{example}"', text)
-        for name, (example, text) in examples.items()
-    }
+    rows = {name: (Text, None, f'"{example}"', text) for name, (example, text) in examples.items()}
+    return group(f"{subject} (a value with its unit)", **rows)
 
 
-ClubArgument = Annotated[str, typer.Argument(metavar="CLUB", help="Name of a built-in club, or a TOML file.")]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")]
-Folder = Annotated[str | None, output("FOLDER", "Write tables and pictures to this folder.")]
+ClubArgument = Annotated[str, argument("CLUB", "Name of a built-in club, or a TOML file.")]
 Template = Annotated[str | None, output("FILE", "Write it to this file instead of the screen.")]
-Format = Annotated[str | None, option("--format", metavar="NAME", text="Layout of the file; recognised by default.")]
-ColumnsFile = Annotated[
-    str | None, option("--mapping", metavar="FILE", text="TOML file that names the columns of any other CSV file.")
-]
-Resume = Annotated[
-    bool, typer.Option("--resume", help="Stop, instead of starting over, if the interrupted run had other inputs.")
-]
-AtLaunch = Annotated[
-    bool,
-    typer.Option(
-        "--at-launch", help="Compare at the measured launch: solve loft and face angle instead of reading them."
-    ),
-]
-Texts = list[str] | None
-Seed = Annotated[int, typer.Option("--seed", metavar="N", help="Random seed.")]
-
-Report = Annotated[
-    str | None,
-    option("--report", metavar="FILE", text="Write a report with text, pictures and sources: .html or .md."),
-]
-
-
-def picture(name: str) -> Any:
-    """Return the option for a picture file."""
-    return option("--plot", metavar="FILE", text=f"Draw {name}: .png, .svg or .pdf.")
+LAYOUT = group(
+    None,
+    format=(Text, None, "NAME", "Layout of the file; recognised by default."),
+    mapping=(Text, None, "FILE", "TOML file that names the columns of any other CSV file."),
+)
+RESUME_TEXT = "Stop, instead of starting over, if the interrupted run had other inputs."
+RESUME = group(None, resume=(bool, False, None, RESUME_TEXT))
+AT_LAUNCH_TEXT = "Compare at the measured launch: solve loft and face angle instead of reading them."
+AT_LAUNCH = group(None, at_launch=(bool, False, None, AT_LAUNCH_TEXT))
+SEED = group(None, seed=(int, 0, "N", "Random seed."))
 
 
 _CLUB_DATA = {
@@ -149,82 +134,50 @@ MEASURED_LAUNCH: Group = _quantities(
     **_DIRECTION_AND_SPIN,
 )
 
-_EQUIPMENT, _MODEL, _AIR = "Club and ball", "Model", "Air"
-Ball = Annotated[
-    str | None,
-    option("--ball", panel=_EQUIPMENT, metavar="NAME|FILE", text="A built-in ball or a TOML file; default modern."),
-]
-BALL: Group = {"ball": (Ball, None)}
-EQUIPMENT: Group = {
-    "hand": text_option("--hand", _EQUIPMENT, "right|left", "Hand of the club; default: as in the club's file."),
+_EQUIPMENT, _MODEL = "Club and ball", "Model"
+BALL = group(_EQUIPMENT, ball=(Text, None, "NAME|FILE", "A built-in ball or a TOML file; default modern."))
+EQUIPMENT = {
+    **group(_EQUIPMENT, hand=(Text, None, "right|left", "Hand of the club; default: as in the club's file.")),
     **BALL,
 }
-SHAFT: Group = {
-    "shaft": text_option("--shaft", _EQUIPMENT, "NAME|FILE", "A built-in shaft or a TOML file; default: a free head."),
-}
-
-PLAYER_HAND = text_option("--hand", None, "right|left", "Hand of the player, for the name of the shot; default right.")
+SHAFT = group(_EQUIPMENT, shaft=(Text, None, "NAME|FILE", "A built-in shaft or a TOML file; default: a free head."))
 
 MODELS_TEXT = "A model, or several, comma-separated or repeated; default: all."
-Models = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=MODELS_TEXT)]
-_MODEL_NAMES = f"A model, or several, comma-separated or repeated, or all; default {DEFAULT_MODEL}."
-_ModelNames = Annotated[list[str] | None, option("--model", panel=_MODEL, metavar="NAME", text=_MODEL_NAMES)]
-_ONE_MODEL_TEXT = f"The model; default {DEFAULT_MODEL}."
-_ONE_MODEL = Annotated[str, option("--model", panel=_MODEL, metavar="NAME", text=_ONE_MODEL_TEXT)]
 _SET_TEXT = "Change a model parameter: friction=0.4. Repeatable."
+SETTING: Group = {
+    "setting": (Annotated[Texts, option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)], None)
+}
+_SET: Group = {
+    **group(_MODEL, parameters=(Text, None, "NAME|FILE", "A published parameter set or a TOML file.")),
+    **SETTING,
+}
 _ACCURACY_TEXT = "Relative step tolerance of a contact model, 1e-13 to 1e-2."
-Setting = Annotated[list[str] | None, option("--set", panel=_MODEL, metavar="NAME=VALUE", text=_SET_TEXT)]
-_PARAMETERS: Group = {
-    "parameters": text_option("--parameters", _MODEL, "NAME|FILE", "A published parameter set or a TOML file."),
-    "setting": (Setting, None),
-    "accuracy": (
-        Annotated[float | None, option("--accuracy", panel=_MODEL, metavar="TOLERANCE", text=_ACCURACY_TEXT)],
-        None,
-    ),
+_ACCURACY = group(_MODEL, accuracy=(float | None, None, "TOLERANCE", _ACCURACY_TEXT))
+_MODEL_NAMES = f"A model, or several, comma-separated or repeated, or all; default {DEFAULT_MODEL}."
+ONE_SET = {**group(_MODEL, model=(str, DEFAULT_MODEL, "NAME", "The model.")), **_SET}
+ONE_MODEL = {**ONE_SET, **_ACCURACY}
+CONTACT_MODEL = {
+    **group(_MODEL, model=(str, "volumetric", "NAME", "A contact model: volumetric, rings or area.")),
+    **_SET,
 }
-_FITTED_MODEL = Annotated[str | None, option("--model", panel=_MODEL, metavar="NAME", text="The model. Required.")]
-ONE_MODEL: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_PARAMETERS}
-_NO_ACCURACY: Group = {name: each for name, each in _PARAMETERS.items() if name != "accuracy"}
-CONTACT_MODEL: Group = {
-    "model": (
-        Annotated[
-            str, option("--model", panel=_MODEL, metavar="NAME", text="A contact model: volumetric, rings or area.")
-        ],
-        "volumetric",
-    ),
-    **_NO_ACCURACY,
-}
-ONE_SET: Group = {"model": (_ONE_MODEL, DEFAULT_MODEL), **_NO_ACCURACY}
-FITTED_MODEL: Group = {"model": (_FITTED_MODEL, None), **_PARAMETERS}
-MODELS: Group = {"model": (_ModelNames, None), **_PARAMETERS}
+FITTED_MODEL = {**group(_MODEL, model=(Text, None, "NAME", "The model. Required.")), **_SET, **_ACCURACY}
+MODELS = {**group(_MODEL, model=(Texts, None, "NAME", _MODEL_NAMES)), **_SET, **_ACCURACY}
 
-AIR: Group = {
-    "air": text_option("--air", _AIR, "TEXT", 'All of these in one text: "temperature=30 degC, altitude=1600 m".'),
-    "temperature": text_option("--temperature", _AIR, '"30 degC"', "Air temperature; default 25 degC."),
-    "altitude": text_option("--altitude", _AIR, '"1600 m"', "Altitude of the course, which sets the pressure."),
-    "pressure": text_option("--pressure", _AIR, '"840 hPa"', "Pressure at the course; default: sea level."),
-    "humidity": text_option("--humidity", _AIR, '"40 %"', "Relative humidity; default 50 %."),
-    "wind": text_option("--wind", _AIR, '"5 m/s"', 'Tailwind, or wind along and to the right: "5 m/s, -2 m/s".'),
-}
-
-GROUND: Group = {
-    "ground": text_option("--ground", "Ground", '"firm fairway"', "Where the ball lands; default: a fairway."),
-}
-
-WORTH: Group = {
-    "worth": (
-        Annotated[
-            list[str] | None,
-            option(
-                "--worth",
-                metavar="NAME=VALUE",
-                text='The smallest difference worth a change: "carry=3 yd". Default: 2 yd of carry and total, 1 yd of '
-                "side_spread and 0.01 strokes. Repeatable.",
-            ),
-        ],
-        None,
-    ),
-}
+AIR = group(
+    "Air",
+    air=(Text, None, "TEXT", 'All of these in one text: "temperature=30 degC, altitude=1600 m".'),
+    temperature=(Text, None, '"30 degC"', "Air temperature; default 25 degC."),
+    altitude=(Text, None, '"1600 m"', "Altitude of the course, which sets the pressure."),
+    pressure=(Text, None, '"840 hPa"', "Pressure at the course; default: sea level."),
+    humidity=(Text, None, '"40 %"', "Relative humidity; default 50 %."),
+    wind=(Text, None, '"5 m/s"', 'Tailwind, or wind along and to the right: "5 m/s, -2 m/s".'),
+)
+GROUND = group("Ground", ground=(Text, None, '"firm fairway"', "Where the ball lands; default: a fairway."))
+_WORTH = (
+    'The smallest difference worth a change: "carry=3 yd". Default: 2 yd of carry and total, 1 yd of side_spread and '
+    "0.01 strokes. Repeatable."
+)
+WORTH = group(None, worth=(Texts, None, "NAME=VALUE", _WORTH))
 """Option for differences too small to notice, which are not ranked."""
 
 

@@ -19,24 +19,24 @@ TAKEN = (
 """Options passed to the function under the same names."""
 
 
-FILES = options.group(None, {
-    "rejects": (str | None, None, "FILE", "Write the unusable rows, with reasons."),
-    "carry": (bool, True, None, "Compute the flight too."),
-})  # fmt: skip
+FILES = options.group(
+    None,
+    rejects=(str | None, None, "FILE", "Write the unusable rows, with reasons."),
+    carry=(bool, True, None, "Compute the flight too."),
+)
 
 
 @app.command()
 @options.takes(
     CHOICE, options.EQUIPMENT, options.ONE_MODEL, options.AIR,
-    show.table_option("Write the launches to this CSV or Parquet file."), FILES, {"resume": (options.Resume, False)},
+    show.table_option("Write the launches to this CSV or Parquet file."), FILES, options.RESUME,
     show.JSON,
 )  # fmt: skip
 def predict(
     deliveries: Annotated[
         str,
-        typer.Argument(
-            metavar="DELIVERIES",
-            help="CSV or Parquet file with units in the column names, or a launch monitor's file.",
+        options.argument(
+            "DELIVERIES", "CSV or Parquet file with units in the column names, or a launch monitor's file."
         ),
     ],
     club: Annotated[str, typer.Option("--club", metavar="CLUB", help="Name of a built-in club, or a TOML file.")],

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from clubface.cli import options
-from clubface.cli.options import Group, text_option
+from clubface.cli.options import Group
 
 if TYPE_CHECKING:
     from clubface.shots.measured import ReadyShots
@@ -16,40 +14,36 @@ if TYPE_CHECKING:
 
 
 _SHOTS = "Shots"
-_UNIT = options.option(
-    "--unit",
-    panel=_SHOTS,
-    metavar="NAME=UNIT",
-    text="Unit that the file does not name: speed=km/h, carry=m. Repeatable.",
-)
+_UNIT_TEXT = "Unit that the file does not name: speed=km/h, carry=m. Repeatable."
+_UNIT = options.option("--unit", panel=_SHOTS, metavar="NAME=UNIT", text=_UNIT_TEXT)
 READING: Group = {
-    "format": (options.Format, None),
-    "mapping": (options.ColumnsFile, None),
+    **options.LAYOUT,
     "file_unit": (Annotated[options.Texts, _UNIT], None),
-    **options.group(_SHOTS, {
-        "where": (str | None, None, "CONDITION",
-                  "Use only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
-    }),
+    **options.group(_SHOTS,
+        where=(str | None, None, "CONDITION",
+               "Use only these shots: \"ball_speed > 150 mph and club == '7i'\"."),
+    ),
 }  # fmt: skip
 """Options of commands that read a file of shots."""
-CHOICE: Group = {**READING, **options.group(_SHOTS, {
-    "only": (str | None, None, "NAME", "Use only the shots of the club with this name in the file."),
-    "mismatch": (str, "refuse", "refuse|note", "Refuse shots of another club, or accept them with a note."),
-    "assume": (options.Texts, None, "NAME=VALUE",
-               'Value to assume where it was not measured: "toe=0 mm". Repeatable.'),
-})}  # fmt: skip
+CHOICE: Group = {**READING, **options.group(_SHOTS,
+    only=(str | None, None, "NAME", "Use only the shots of the club with this name in the file."),
+    mismatch=(str, "refuse", "refuse|note", "Refuse shots of another club, or accept them with a note."),
+    assume=(options.Texts, None, "NAME=VALUE",
+            'Value to assume where it was not measured: "toe=0 mm". Repeatable.'),
+)}  # fmt: skip
 """Options of commands for the shots of one club."""
 RECORDED: Group = {
-    "club": text_option("--club", "Club and ball", "CLUB", "Name or TOML file; default: the club that the shots name."),
+    **options.group("Club and ball",
+        club=(options.Text, None, "CLUB", "Name or TOML file; default: the club that the shots name."),
+    ),
     **CHOICE,
     **options.EQUIPMENT,
-}
+}  # fmt: skip
 """Options of commands for the shots of one club, which may be taken from the shots."""
 
 
 Files = Annotated[
-    list[str],
-    typer.Argument(metavar="FILE...", help="Shots: monitors' files, or tables; several files are several sessions."),
+    list[str], options.argument("FILE...", "Shots: monitors' files, or tables; several files are several sessions.")
 ]
 
 

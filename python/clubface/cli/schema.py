@@ -7,14 +7,14 @@ from typing import Annotated
 
 import typer
 
+from clubface.cli.options import argument
+
 app = typer.Typer(add_completion=False)
 
 
 @app.command()
 def schema(
-    name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="Print the schema of this kind of file.", show_default=False)
-    ] = None,
+    name: Annotated[str | None, argument("[NAME]", "Print the schema of this kind of file.")] = None,
 ) -> None:
     """List the kinds of TOML files, or print the JSON Schema of one for an editor."""
     from clubface.schema import FILES, file_schema, json_schema

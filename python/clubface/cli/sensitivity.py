@@ -11,10 +11,11 @@ from clubface.errors import InputError
 
 app = typer.Typer(add_completion=False)
 
-NAMES = options.group(None, {
-    "output": (options.Texts, None, "NAME", "Launch quantity, such as backspin. Several: comma-separated or repeated."),
-    "by": (options.Texts, None, "NAME", "Input or parameter, such as toe. Several: comma-separated or repeated."),
-})  # fmt: skip
+NAMES = options.group(
+    None,
+    output=(options.Texts, None, "NAME", "Launch quantity, such as backspin. Several: comma-separated or repeated."),
+    by=(options.Texts, None, "NAME", "Input or parameter, such as toe. Several: comma-separated or repeated."),
+)
 
 
 @app.command()

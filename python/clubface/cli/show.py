@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
+import typer
+
 from clubface.cli import app, options, output
 from clubface.cli.failures import print_written
 from clubface.errors import ClubfaceError
@@ -15,31 +17,27 @@ from clubface.results.result import Result
 from clubface.support.checks import check_choice
 from clubface.units import unit as unit_named
 
-JSON: options.Group = {"as_json": (options.Json, False)}
-REPORT: options.Group = {"report": (options.Report, None)}
-FOLDER: options.Group = {"folder": (options.Folder, None)}
-UNITS: options.Group = {
-    "unit": (
-        Annotated[
-            list[str] | None,
-            options.option(
-                "--unit", metavar="NAME=UNIT", text='Unit of a quantity in tables and pictures: "carry=m". Repeatable.'
-            ),
-        ],
-        None,
-    )
+JSON: options.Group = {
+    "as_json": (Annotated[bool, typer.Option("--json", help="Print one JSON document instead.")], False)
 }
+_REPORT = "Write a report with text, pictures and sources: .html or .md."
+REPORT = options.group(None, report=(options.Text, None, "FILE", _REPORT))
+FOLDER: options.Group = {
+    "folder": (Annotated[options.Text, options.output("FOLDER", "Write tables and pictures to this folder.")], None)
+}
+_UNITS = 'Unit of a quantity in tables and pictures: "carry=m". Repeatable.'
+UNITS = options.group(None, unit=(options.Texts, None, "NAME=UNIT", _UNITS))
 """Option groups for the destinations of a result; :class:`Output` takes their values."""
 
 
 def plot_option(words: str) -> options.Group:
     """Return the option for a picture, described by ``words``."""
-    return {"plot": (Annotated[str | None, options.picture(words)], None)}
+    return options.group(None, plot=(options.Text, None, "FILE", f"Draw {words}: .png, .svg or .pdf."))
 
 
 def table_option(words: str) -> options.Group:
     """Return the option for the file of the main table; ``words`` are its help."""
-    return {"target": (Annotated[str | None, options.output("FILE", words)], None)}
+    return {"target": (Annotated[options.Text, options.output("FILE", words)], None)}
 
 
 TABLE = table_option("Write the main table to this CSV or Parquet file.")

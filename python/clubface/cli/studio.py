@@ -21,19 +21,19 @@ app = typer.Typer(add_completion=False)
 
 @app.command()
 @options.takes(
-    options.group(None, {
-        "port": (int, 8642, "NUMBER", "Port on this machine; 0 picks a free one."),
-        "studies": (str | None, None, "FOLDER", "Also show the study stores in this folder."),
-        "open": (bool, False, None, "Open it in the browser."),
-        "site": (str | None, None, "FOLDER", "Folder with another built studio."),
-    }),
-    options.group("Live shots", {
-        "live": (str | None, None, "FILE", "Receive live shots from launch monitors, and keep them in this file."),
-        "open_connect": (int, 921, "PORT", "Port for monitors that use GSPro Open Connect."),
-        "opengolfsim": (int, 3111, "PORT", "Port for monitors that use OpenGolfSim."),
-        "flight_relay": (str, FLIGHT_RELAY, "ADDRESS|PORT", "A Flight Relay device, or the port it connects to."),
-        "simulator": (options.Texts, None, "NAME:PORT", "Forward launches to open-connect:PORT or opengolfsim:PORT."),
-    }),
+    options.group(None,
+        port=(int, 8642, "NUMBER", "Port on this machine; 0 picks a free one."),
+        studies=(str | None, None, "FOLDER", "Also show the study stores in this folder."),
+        open=(bool, False, None, "Open it in the browser."),
+        site=(str | None, None, "FOLDER", "Folder with another built studio."),
+    ),
+    options.group("Live shots",
+        live=(str | None, None, "FILE", "Receive live shots from launch monitors, and keep them in this file."),
+        open_connect=(int, 921, "PORT", "Port for monitors that use GSPro Open Connect."),
+        opengolfsim=(int, 3111, "PORT", "Port for monitors that use OpenGolfSim."),
+        flight_relay=(str, FLIGHT_RELAY, "ADDRESS|PORT", "A Flight Relay device, or the port it connects to."),
+        simulator=(options.Texts, None, "NAME:PORT", "Forward launches to open-connect:PORT or opengolfsim:PORT."),
+    ),
 )  # fmt: skip
 def studio(**texts: Any) -> None:
     """Serve the studio on this machine: monitor files, golfers, fittings, studies, live shots."""

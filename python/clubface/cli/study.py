@@ -14,20 +14,19 @@ app = typer.Typer(
     add_completion=False, no_args_is_help=True, help="Studies: sweep any inputs, on one machine or a cluster."
 )
 
-StudyOrStore = Annotated[
-    str, typer.Argument(metavar="STUDY", help="TOML file of a study, or the folder with its finished parts.")
-]
-STORE = options.group(None, {"store": (str | None, None, "FOLDER", "Folder for finished parts; default STUDY.store.")})
-WHERE = options.group(None, {
-    "workers": (int | None, None, "N", "Number of processes; default: one per processor."),
-    "shard": (str | None, None, "K/N", "Compute only share K of N; slurm or kubernetes/N in an array job."),
-    "scheduler": (str | None, None, "ADDRESS", "Compute on the Dask cluster with this scheduler."),
-})  # fmt: skip
+StudyOrStore = Annotated[str, options.argument("STUDY", "TOML file of a study, or the folder with its finished parts.")]
+STORE = options.group(None, store=(str | None, None, "FOLDER", "Folder for finished parts; default STUDY.store."))
+WHERE = options.group(
+    None,
+    workers=(int | None, None, "N", "Number of processes; default: one per processor."),
+    shard=(str | None, None, "K/N", "Compute only share K of N; slurm or kubernetes/N in an array job."),
+    scheduler=(str | None, None, "ADDRESS", "Compute on the Dask cluster with this scheduler."),
+)
 
 
 @app.command("run")
 @options.takes(WHERE, STORE, show.JSON)
-def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of a study.")], **texts: Any) -> None:
+def run(study: Annotated[str, options.argument("STUDY", "TOML file of a study.")], **texts: Any) -> None:
     """Compute the missing parts of a study; finished parts are kept, whatever happens."""
     from clubface.studies.running import run as compute
 
@@ -39,7 +38,7 @@ def run(study: Annotated[str, typer.Argument(metavar="STUDY", help="TOML file of
 
 @app.command("status")
 @options.takes(
-    options.group(None, {"check": (bool, False, None, "Read every part and list the damaged ones.")}), STORE, show.JSON
+    options.group(None, check=(bool, False, None, "Read every part and list the damaged ones.")), STORE, show.JSON
 )
 def status(study: StudyOrStore, **texts: Any) -> None:
     """Show the progress of a study."""
@@ -64,22 +63,20 @@ def join(study: StudyOrStore, **texts: Any) -> None:
 
 
 @app.command("summary")
-@options.takes(show.plot_option("means, spreads and extremes along every input"), show.REPORT, STORE, show.JSON)
-def summary(
-    study: StudyOrStore,
-    quantities: Annotated[
-        list[str] | None,
-        options.option("--output", metavar="NAMES", text="Quantities, comma-separated or repeated; default: all."),
-    ] = None,
-    **texts: Any,
-) -> None:
+@options.takes(
+    show.plot_option("means, spreads and extremes along every input"), show.REPORT, STORE, show.JSON,
+    options.group(None,
+        output=(options.Texts, None, "NAMES", "Quantities, comma-separated or repeated; default: all."),
+    ),
+)  # fmt: skip
+def summary(study: StudyOrStore, **texts: Any) -> None:
     """Print means, spreads and extremes of all tasks and along every swept input."""
     from clubface.studies.summaries import summary as sum_up
 
     shown = show.Output.check(texts, [study])
-    names = options.names(quantities) if quantities else None
+    names = options.names(texts["output"]) if texts["output"] else None
     if names == []:
-        raise InputError("--output", quantities, "names of quantities, as in carry,backspin")
+        raise InputError("--output", texts["output"], "names of quantities, as in carry,backspin")
     with progress_bar("parts") as progress:
         result = sum_up(study, quantities=names, store=texts["store"], progress=progress)
     shown.show(result.to_result())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -17,19 +17,21 @@ TABLES_TEXT = "pga-2023 (default), pga-2019, lpga-2019, several separated by com
 
 
 @app.command()
-@options.takes(show.FOLDER, options.BALL, show.JSON)
-def tour(
-    averages: Annotated[str, typer.Option(metavar="NAME", help=TABLES_TEXT, show_default=False)] = "",
-    model: options.Models = None,
-    **texts: Any,
-) -> None:
+@options.takes(
+    show.FOLDER,
+    options.BALL,
+    show.JSON,
+    options.group(None, averages=(options.Text, None, "NAME", TABLES_TEXT)),
+    options.group("Model", model=(options.Texts, None, "NAME", options.MODELS_TEXT)),
+)
+def tour(**texts: Any) -> None:
     """Compute the published tour averages, club by club, with the default model, then with every model."""
     from clubface.simulation.impact import Tally
     from clubface.support.checks import without_warnings
     from clubface.validation.tour import DEFAULT_TABLE, TABLES, published_table, tour as run, tour_result
 
-    models = options.model_names(model)
-    wanted = options.names([averages or DEFAULT_TABLE])
+    models = options.model_names(texts["model"])
+    wanted = options.names([texts["averages"] or DEFAULT_TABLE])
     tables = list(dict.fromkeys(name for each in wanted for name in (TABLES if each == "all" else [each])))
     for each in tables:
         published_table(each)  # checked before the work, so that an unknown name is reported at once

@@ -12,14 +12,14 @@ from clubface.equipment.models import DEFAULT_MODEL
 
 app = typer.Typer(add_completion=False)
 
-CHOICE = options.group(None, {
-    "check": (options.Texts, None, "NAME",
-              "Only this check, or several, comma-separated or repeated, with every figure and its source."),
-    "model": (options.Texts, None, "NAME", "A model, or several, comma-separated or repeated; all: every reduced model."
-              f" Default {DEFAULT_MODEL}."),
-    "causes": (bool, False, None,
-               "Repeat off-centre strikes with one thing changed: closure, inertia or depth of the centre of mass."),
-})  # fmt: skip
+CHOICE = options.group(None,
+    check=(options.Texts, None, "NAME",
+           "Only this check, or several, comma-separated or repeated, with every figure and its source."),
+    model=(options.Texts, None, "NAME", "A model, or several, comma-separated or repeated; all: every reduced model."
+           f" Default {DEFAULT_MODEL}."),
+    causes=(bool, False, None,
+            "Repeat off-centre strikes with one thing changed: closure, inertia or depth of the centre of mass."),
+)  # fmt: skip
 _WITH_TEXT = "A monitor's file, whose spins are compared with the model and both camps of published irons. Repeatable."
 
 
