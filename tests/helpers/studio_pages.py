@@ -42,8 +42,11 @@ class Served:
     def __init__(self, folder, *options):
         environment = {**os.environ, "CLUBFACE_STUDIO_SITE": str(made_site(folder / "site"))}
         command = [sys.executable, "-c", MAIN, "studio", "--port", "0", *options]
-        self.errors = open(folder / f"errors-{time.monotonic_ns()}.txt", "w+", encoding="utf-8")  # noqa: SIM115, closed by end()
-        self.process = interruptible(command, cwd=folder, env=environment, stderr=self.errors)
+        errors = folder / f"errors-{time.monotonic_ns()}.txt"
+        # Opened twice: to go back in what the process writes to would make it write there.
+        with errors.open("wb") as written:
+            self.process = interruptible(command, cwd=folder, env=environment, stderr=written)
+        self.errors = errors.open(encoding="utf-8")  # closed by end()
         self.address = self.process.stdout.readline().strip()
         self.errors.seek(0)
         printed = self.errors.read()
