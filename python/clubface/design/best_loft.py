@@ -68,20 +68,16 @@ class BestLoft(Described):
 
     Attributes
     ----------
-    speed, attack
-        Club speed and attack angle.
-    loft
-        The best dynamic loft.
+    speed, attack, loft
+        Club speed, attack angle and the best dynamic loft.
     ball_speed, launch, spin, carry, total
         The shot at that loft; the spin is the total spin.
     within
         How far the loft may be below and above the best before the loss of carry is worth a change, shape (cases, 2).
     worth
         The smallest difference of carry worth a change [m].
-    flown
-        The launches.
-    air, wind
-        Air and wind of the flights.
+    flown, air, wind
+        The launches, and air and wind of their flights.
     """
 
     speed: Floats
@@ -295,12 +291,8 @@ def compare_with_chart(chart: str, **options: Any) -> ChartComparison:
     PING's chart gives ball speeds and no lofts. Club speeds are chosen so that the longest drive has the published ball
     speed, by two corrections of a first guess.
 
-    Parameters
-    ----------
-    chart
-        "trackman" (TrackMan's chart of 2010) or "ping" (PING's of 2019).
-    **options
-        As for :func:`best_loft`.
+    ``chart`` is "trackman" (TrackMan's chart of 2010) or "ping" (PING's of 2019); ``options`` are those of
+    :func:`best_loft`.
     """
     check_choice("chart", chart, CHARTS)
     table = published_data.table(CHARTS[chart].table)

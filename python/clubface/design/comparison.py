@@ -45,13 +45,7 @@ MOST_NODES = 64
 
 @dataclass(frozen=True, kw_only=True)
 class Alternative:
-    """One of the shots compared.
-
-    Attributes
-    ----------
-    club, delivery, model, parameters, ball, accuracy
-        As for :func:`clubface.impact`, for a single shot.
-    """
+    """One of the shots compared, with values as for :func:`clubface.impact` of a single shot."""
 
     club: Any
     delivery: Any
@@ -78,10 +72,8 @@ class Compared(Described):
     ----------
     names
         Names of the alternatives; the others are compared with the first.
-    launches, flights
-        By name.
-    contributions
-        What makes each differ from the first, by name; empty if not requested.
+    launches, flights, contributions
+        By name; contributions are what makes each differ from the first, and are empty if not requested.
     conditions
         Air, wind and ground of the flights.
     """
@@ -357,11 +349,6 @@ def compare(
         point takes one run for every four inputs that differ.
     progress
         Called with the number of points done and the number of all points.
-
-    Returns
-    -------
-    Compared
-        Values, differences and contributions.
 
     Raises
     ------

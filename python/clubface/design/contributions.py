@@ -209,10 +209,8 @@ class Contributions(NamedTuple):
 
     Attributes
     ----------
-    changes
-        What differs.
-    si
-        Contribution of each change to each of ``QUANTITIES`` [SI], shape (changes, quantities).
+    changes, si
+        What differs, and its contribution to each of ``QUANTITIES`` [SI], shape (changes, quantities).
     remainder
         Difference that the contributions leave unexplained [SI], shape (quantities,).
     nodes

@@ -228,10 +228,8 @@ class Ellipse(NamedTuple):
     ----------
     share
         The share of the landings inside.
-    centre
-        Mean landing [m], ahead and to the right, shape (2,).
-    half_axes
-        Half the long and the short axis [m], shape (2,).
+    centre, half_axes
+        Mean landing, ahead and to the right, and half the long and the short axis [m], each of shape (2,).
     angle
         Angle from the target line to the long axis, positive to the right [rad].
     """
@@ -248,18 +246,14 @@ class Dispersion(Described):
 
     Attributes
     ----------
-    golfer, club, ball, model
-        Golfer, equipment and impact model.
-    seed
-        Seed of the quasi-random numbers.
+    golfer, club, ball, model, seed
+        Golfer, equipment, impact model, and seed of the quasi-random numbers.
     tally
         Means, spreads and quantiles of launch and flight, over the shots with a result.
     mean_shot
         Quantities of the mean delivery, by name [SI].
-    hole
-        The hole on which strokes are counted, or None.
-    strokes
-        Mean number of strokes expected after the shot; NaN without a hole.
+    hole, strokes
+        The hole on which strokes are counted, or None; mean strokes expected after the shot, NaN without a hole.
     lies
         Share of the shots that come to rest on the green, on the fairway, in the rough and as recovery; empty without a
         hole.
@@ -374,14 +368,10 @@ def dispersion(
         other hand.
     club
         As for :func:`impact`; default the golfer's own club, for the golfer's hand.
-    count
-        Number of shots; powers of two cover the distribution most evenly.
-    seed
-        Seed of the quasi-random numbers.
-    model, parameters, ball, accuracy, threads
-        As for :func:`impact`.
-    air, wind, ground
-        As for :func:`fly`.
+    count, seed
+        Number of shots (powers of two cover the distribution most evenly), and seed of their quasi-random numbers.
+    model, parameters, ball, accuracy, threads, air, wind, ground
+        As for :func:`impact` and :func:`fly`.
     flight
         Whether the balls fly; otherwise only launches are counted.
     hole

@@ -173,14 +173,8 @@ def dispersion_picture(
 ) -> Picture:
     """Return the picture of landings with ellipses, histograms, and shares of the variance.
 
-    Parameters
-    ----------
-    dispersion
-        The dispersion; only launches are drawn if no ball flies.
-    shares
-        Shares of the variance by variable; without them no bars are drawn.
-    ellipses
-        Shares of the landings inside the ellipses; default 50 % and 90 %.
+    Only launches are drawn if no ball flies, and no bars without ``shares``. ``ellipses`` are shares of the landings
+    inside; default 50 % and 90 %.
     """
     flies = bool(dispersion.points.size)
     columns: list[list[Panel | None]] = []

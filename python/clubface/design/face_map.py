@@ -35,16 +35,13 @@ class Forgiveness(NamedTuple):
 
     Attributes
     ----------
-    toe, high
-        Mean impact point [m].
-    toe_deviation, high_deviation
-        Standard deviations of the impact point [m].
+    toe, high, toe_deviation, high_deviation
+        Mean and standard deviations of the impact point [m].
     missed
         Share of swings that miss the face; they do not enter the other values.
-    mean, deviation
-        Mean and standard deviation of every quantity of a map [SI], by name.
-    loss
-        Value at the mean impact point minus the mean [SI], by name.
+    mean, deviation, loss
+        Mean and standard deviation of every quantity of a map, and its value at the mean impact point minus the mean
+        [SI], by name.
     """
 
     toe: float
@@ -69,15 +66,7 @@ SHARE = 0.98
 
 
 class Best(NamedTuple):
-    """Where a quantity is greatest.
-
-    Attributes
-    ----------
-    toe, high
-        The point [m].
-    value
-        The quantity there [SI].
-    """
+    """Where a quantity is greatest: the point ``toe``, ``high`` [m], and its ``value`` there [SI]."""
 
     toe: float
     high: float
@@ -117,14 +106,9 @@ class _Mapped(Described):
         return points_table(self)
 
     def to_result(self, quantities: Sequence[str] = (), scatter: Sequence[Forgiveness] = ()) -> Result:
-        """Return the map as a result.
+        """Return the map as a result, with the cost of ``scatter``: :meth:`FaceMap.forgiveness` of each map.
 
-        Parameters
-        ----------
-        quantities
-            Quantities to list, draw and tabulate over the grid; by default eight are listed and drawn.
-        scatter
-            Cost of scattered impacts: :meth:`FaceMap.forgiveness` of each map.
+        ``quantities`` are listed, drawn and tabulated over the grid; by default eight are listed and drawn.
         """
         from clubface.design.face_map_result import face_map_result
 
@@ -193,17 +177,9 @@ class FaceMap(_Mapped):
         Expectations are integrals over the face by Gauss's rule: from heel to toe, and at each place from its lower to
         its upper edge.
 
-        Parameters
-        ----------
-        spread
-            Standard deviations towards the toe and upwards [m], or text with a unit.
-        toe, high
-            Mean impact point [m], or text with a unit; default the face centre.
-
-        Raises
-        ------
-        InputError
-            A standard deviation is not positive or exceeds the size of the face, or the point is not on the face.
+        ``spread`` holds the standard deviations, and ``toe`` and ``high`` are the mean impact point, in metres or as
+        text with a unit. Raises an :class:`InputError` if a standard deviation is not positive or exceeds the size of
+        the face, or if the point is not on the face.
         """
         if not isinstance(spread, (tuple, list)) or len(spread) != 2:
             raise InputError("spread", spread, "two standard deviations, towards the toe and upwards")
@@ -385,10 +361,8 @@ class FaceMapDifference(_Mapped):
     ----------
     first, second
         The maps; the second is subtracted from the first.
-    toe, high
-        Coordinates of the grid [m].
-    outline
-        Outline of the first face.
+    toe, high, outline
+        Coordinates of the grid [m], and outline of the first face.
     """
 
     def __init__(self, first: FaceMap, second: FaceMap) -> None:

@@ -124,7 +124,6 @@ def _with_flights(setup: ImpactSetup, table: Floats) -> Floats:
 
 
 def _store(output: str | os.PathLike[str] | None, struck: FaceImpacts, places: list[tuple[float, float]]) -> Finished:
-    """Return the store of finished points."""
     from clubface.fem.balls import ball
     from clubface.fem.heads.meshed import mesh_of
 
@@ -223,29 +222,17 @@ def _mesh_outline(club: Any) -> Outline:
 
 
 class Surface(NamedTuple):
-    """The quantities at any point of a face.
+    """The quantities at any point of a face, and over a grid that covers its bounding box.
 
-    Attributes
-    ----------
-    outline
-        The outline of the face.
-    at
-        Returns the quantities [SI] at points of the face [m], shape (quantities, points).
-    toe, high
-        Coordinates of a grid over the bounding box of the face, towards the toe and upwards [m].
-    table
-        The quantities over the grid, shape (quantities, high, toe). They extend beyond the outline so that it can be
-        clipped sharply.
-    interpolated
-        Whether the quantities are interpolated between known points.
+    They extend beyond the outline so that it can be clipped sharply.
     """
 
     outline: Outline
-    at: Callable[[Floats, Floats], Floats]
-    toe: Floats
-    high: Floats
-    table: Floats
-    interpolated: bool = False
+    at: Callable[[Floats, Floats], Floats]  # quantities [SI] at points [m], shape (quantities, points)
+    toe: Floats  # of the grid, towards the toe [m]
+    high: Floats  # of the grid, upwards [m]
+    table: Floats  # quantities over the grid [SI], shape (quantities, high, toe)
+    interpolated: bool = False  # between known points
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
         """Return the point [m] where a quantity is greatest, and its value there [SI].

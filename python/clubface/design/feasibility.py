@@ -43,10 +43,7 @@ FREE = 0.03
 def pseudo_inertia(values: Floats) -> Floats:
     """Return the pseudo-inertia about the face centre [kg m2, kg m and kg], shape (4, 4).
 
-    Parameters
-    ----------
-    values
-        Mass properties [SI] in the order of ``MASS_PROPERTIES``; the inertia is about the CG.
+    ``values`` are mass properties [SI] in the order of ``MASS_PROPERTIES``; their inertia is about the CG.
     """
     return np.array(core.pseudo_inertia(values.tolist()))
 
@@ -97,10 +94,8 @@ class Volume:
     ----------
     shape
         "ellipsoid", for which the conditions are exact, or "box", for which they are necessary but not sufficient.
-    centre
-        Its centre relative to the face centre: x, y and z [m].
-    size
-        Face to back, sole to crown, heel to toe [m].
+    centre, size
+        Its centre relative to the face centre, and its size from face to back, sole to crown, heel to toe [m].
     """
 
     shape: str
@@ -188,10 +183,8 @@ class Margin(NamedTuple):
     ----------
     name
         Quantity of the head or of the discretionary mass that must be positive.
-    value
-        Its value, dimensionless; if negative, no such body exists.
-    reason
-        What is wrong if it is negative.
+    value, reason
+        Its value, dimensionless, and what is wrong if it is negative; no such body exists then.
     """
 
     name: str

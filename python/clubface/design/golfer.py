@@ -97,10 +97,8 @@ class Golfer:
 
     Attributes
     ----------
-    name
-        Name in reports.
-    title
-        Description in one line.
+    name, title
+        Name in reports, and description in one line.
     club
         The club delivered: a built-in name, or the owner's name for it.
     hand
@@ -108,14 +106,10 @@ class Golfer:
     variables
         Names of the delivery values the golfer sets, as in :class:`clubface.Delivery`, shape (k,). All others keep
         their defaults; the default loft is the club's static loft.
-    mean
-        Their means [SI], shape (k,).
-    covariance
-        Covariance of the shots that are not mishits [SI], shape (k, k).
-    mishit_share
-        Share of the shots that are mishits, from 0 to below 1.
-    mishit_scale
-        Factor on the deviations of a mishit, 1 to 20.
+    mean, covariance
+        Their means, shape (k,), and covariance of the shots that are not mishits, shape (k, k) [SI].
+    mishit_share, mishit_scale
+        Share of the shots that are mishits, from 0 to below 1, and factor on their deviations, 1 to 20.
     sources
         Source of each figure by name: ``mean of speed``, ``spread of face``, ``correlation of face and path``,
         ``mishits``. A figure that is not listed is assumed.
@@ -220,26 +214,19 @@ class Golfer:
         return Delivery(**dict(zip(self.variables, map(float, self.mean), strict=True)))
 
     def sample(self, count: int, *, seed: int = 0, start: int = 0, threads: int | None = None) -> dict[str, Floats]:
-        """Return deliveries spread evenly over the distribution.
+        """Return deliveries spread evenly over the distribution: values [SI] by variable, each of shape (count,).
 
         Shot ``i`` depends only on the seed and on ``i``: chunks joined are, bit for bit, the shots made at once. They
         come from a scrambled Sobol sequence, so powers of two are best.
 
         Parameters
         ----------
-        count
-            Number of shots.
+        count, start
+            Number of shots, and index of the first.
         seed
             Seed of the scrambling; different seeds give independent shots.
-        start
-            Index of the first shot.
         threads
             Number of threads (None: one per core); the shots do not depend on it.
-
-        Returns
-        -------
-        dict
-            Values [SI] by variable, each of shape (count,).
         """
         numbers = uniform(self.dimensions, count, seed=seed, start=start, threads=threads)
         return self.deliveries(numbers, threads=threads)
@@ -247,13 +234,8 @@ class Golfer:
     def deliveries(self, uniform: Floats, *, threads: int | None = None) -> dict[str, Floats]:
         """Return the deliveries for uniform random numbers between 0 and 1.
 
-        Parameters
-        ----------
-        uniform
-            Shape (n, :attr:`dimensions`); with mishits, the last column decides which shots are mishits. The mirrored
-            golfer gives the mirror images of the same shots.
-        threads
-            As for :meth:`sample`.
+        ``uniform`` has the shape (n, :attr:`dimensions`); with mishits, the last column decides which shots are
+        mishits. The mirrored golfer gives the mirror images of the same shots. ``threads`` are as for :meth:`sample`.
         """
         given = units.numbers(uniform, name="uniform")
         if given.ndim != 2 or given.shape[1] != self.dimensions:
@@ -385,7 +367,6 @@ def from_document(document: Document, name: str) -> Golfer:
 
 
 def _correlations(place: Place, given: Iterable[Correlation], variables: tuple[str, ...], spread: Floats) -> Floats:
-    """Return the correlation matrix of a golfer file."""
     matrix = np.eye(len(variables))
     seen: set[frozenset[str]] = set()
     for index, each in enumerate(given):

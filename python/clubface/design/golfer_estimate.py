@@ -216,10 +216,8 @@ class Estimate(NamedTuple):
 
     Attributes
     ----------
-    golfer
-        The golfer.
-    shots
-        Number of shots used.
+    golfer, shots
+        The golfer, and number of shots used.
     measured
         Variables whose spread was measured; all others spread as for ``like``.
     error

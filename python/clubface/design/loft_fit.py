@@ -60,10 +60,8 @@ class LoftFit(Described):
 
     Attributes
     ----------
-    optimum
-        The optimisation of the loft.
-    present
-        The present mean dynamic loft [rad].
+    optimum, present
+        The optimisation of the loft, and the present mean dynamic loft [rad].
     lofts
         Dynamic lofts of the curve [rad], shape (lofts,).
     values
@@ -214,12 +212,8 @@ def fit_loft(
 def steady_golfer(club: str = "driver", **delivery: float | str) -> Golfer:
     """Return a golfer whose every delivery is the same.
 
-    Parameters
-    ----------
-    club
-        The golfer's club.
-    **delivery
-        Values as for :class:`clubface.Delivery`, text with a unit or SI numbers; speed and loft are required.
+    ``delivery`` holds values as for :class:`clubface.Delivery`, text with a unit or SI numbers; speed and loft are
+    required.
     """
     from clubface.simulation.inputs import DIMENSIONS
 

@@ -38,17 +38,9 @@ def check_rules(
 ) -> list[RuleVerdict]:
     """Return the verdict on every limit that applies to a club.
 
-    A characteristic time of 0 means the face has not been measured, since no face is rigid.
-
-    Parameters
-    ----------
-    club
-        The club, by name, file or as a :class:`Club`.
-    volume
-        Volume of the head: text with a unit, or m3. Default the volume of the mesh, if the head has one.
-    size
-        Size of the head from face to back, sole to crown and heel to toe: text with units, or m. Default the size of
-        the mesh, if the head has one.
+    A characteristic time of 0 means the face has not been measured, since no face is rigid. ``volume`` of the head and
+    its ``size`` from face to back, sole to crown and heel to toe are text with units, or SI numbers; default those of
+    the mesh, if the head has one.
     """
     head = club_of(club)
     unknown = {"characteristic_time": UNMEASURED}
@@ -97,7 +89,6 @@ def check_result(checked: Club, file: str) -> Result:
 
 
 def _summary(verdicts: Sequence[RuleVerdict], file: str) -> Note:
-    """Return the overall verdict on a club."""
     broken = [each.rule.title for each in verdicts if each.conforms is False]
     unknown = [each.rule.title for each in verdicts if each.conforms is None]
     if broken:

@@ -68,10 +68,7 @@ class Hole:
     def after(self, ahead: Floats, right: Floats) -> Floats:
         """Return the strokes expected from where balls have come to rest.
 
-        Parameters
-        ----------
-        ahead, right
-            Positions from the tee, towards the hole and to the right of the line [m], shape (n,).
+        ``ahead`` and ``right`` are positions from the tee, towards the hole and right of the line [m], shape (n,).
         """
         return self.at_rest(ahead, right)[1]
 
@@ -91,12 +88,7 @@ class Hole:
 def expected(lie: str, distance: Floats) -> Floats:
     """Return the mean number of strokes PGA Tour players take to hole out.
 
-    Parameters
-    ----------
-    lie
-        One of ``LIES``, or "green".
-    distance
-        Distance from the hole [m].
+    ``lie`` is one of ``LIES``, or "green", and ``distance`` is measured from the hole [m].
     """
     distance = np.asarray(units.parse_values(distance, "length", name="distance"))
     return core.strokes_at(*as_lists(lie), np.ravel(distance)).reshape(distance.shape)

@@ -52,14 +52,10 @@ class ByDerivatives:
 
     Attributes
     ----------
-    golfer
-        The golfer.
-    value
-        Quantities of the mean delivery, by name.
-    gradient
-        Derivatives of each quantity with respect to the golfer's variables, shape (k,).
-    second
-        Second derivatives of each quantity, shape (k, k).
+    golfer, value
+        The golfer, and quantities of the mean delivery by name.
+    gradient, second
+        First and second derivatives of each with respect to the golfer's variables, shapes (k,) and (k, k).
     """
 
     golfer: Golfer
@@ -100,12 +96,7 @@ def moments(golfer: Golfer) -> tuple[float, float]:
 def by_derivatives(golfer: Golfer, setup: ImpactSetup) -> ByDerivatives:
     """Return the derivatives of launch and flight at a golfer's mean delivery.
 
-    Parameters
-    ----------
-    golfer
-        The golfer, for the club's hand.
-    setup
-        Equipment, model and conditions. A model without derivatives raises an :class:`InputError`.
+    The golfer plays with the club's hand. A model without derivatives raises an :class:`InputError`.
     """
     value, gradient = _gradients(golfer.mean, golfer, setup)
     second = {name: np.zeros((len(golfer.mean),) * 2) for name in gradient}
@@ -160,10 +151,8 @@ class Indices(NamedTuple):
 
     Attributes
     ----------
-    kind
-        "sobol" or "shapley".
-    variables
-        The variables that vary.
+    kind, variables
+        "sobol" or "shapley", and the variables that vary.
     share
         By outcome: first-order indices or Shapley effects, shape (k,).
     total
@@ -189,16 +178,12 @@ def indices(
 
     Parameters
     ----------
-    golfer
-        The golfer, for the club's hand.
-    setup
-        Equipment, model and conditions.
+    golfer, setup
+        The golfer, for the club's hand; equipment, model and conditions.
     outcomes
         Launch or flight quantities. One that does not vary has shares of NaN.
-    count
-        Shots per variable or set of variables, a power of two.
-    seed
-        Seed of the quasi-random numbers.
+    count, seed
+        Shots per variable or set of variables, a power of two, and seed of the quasi-random numbers.
     progress
         For Shapley effects: called with the number of orders of the variables done and the total.
     """

@@ -75,12 +75,8 @@ def columns_of(
     """Return the columns of a header that a layout uses.
 
     ``units`` gives units, by quantity or dimension, for columns without one in the heading, in a row of units, or in
-    the cells of ``rows``.
-
-    Raises
-    ------
-    FileError
-        No column belongs to the layout, a unit does not fit, or units are missing (the error names all such columns).
+    the cells of ``rows``. Raises a ``FileError`` if no column belongs to the layout, a unit does not fit, or units are
+    missing; it then names all such columns.
     """
     heads = [layout.by_unit(layout.heading(each), _written(units_row, at)) for at, each in enumerate(headings)]
     with_unit = {each.name for at, each in enumerate(heads) if each.unit or _written(units_row, at)}

@@ -75,8 +75,6 @@ def match_shots(shots: RecordedShots, condition: str) -> Match:
 
     Parameters
     ----------
-    shots
-        The shots.
     condition
         Quantities of a delivery or launch by the names of :class:`RecordedShots` or as headings with a unit
         (``ball_speed_mph``, a number in that unit), ``club``, ``player``, ``hand`` and ``row``; numbers with units;

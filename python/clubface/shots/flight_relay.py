@@ -115,16 +115,10 @@ class _Open:
 
 
 class ShotCollector:
-    """Combines the events of a connection into messages.
-
-    Attributes
-    ----------
-    has_begun
-        Whether the device has answered the start message.
-    """
+    """Combines the events of a connection into messages."""
 
     def __init__(self) -> None:
-        self.has_begun = False
+        self.has_begun = False  # whether the device has answered the start message
         self._open: dict[str, _Open] = {}
 
     def feed(self, data: Mapping[str, Any]) -> list[Message | MessageError]:
@@ -274,21 +268,11 @@ class _Link:
 
 
 class FlightRelayListener(_Link):
-    """Accepts connections from devices, on this machine.
+    """Accepts connections from devices, on this machine; port 0 picks a free one, given by the attribute ``port``.
 
-    Parameters
-    ----------
-    port
-        The port; 0 picks a free one, given by the attribute ``port``.
-    keep
-        Called with every shot, before ``on_message``, which is called with every message; both on other threads.
-    on_problem
-        Called with a sentence for every unusable message, and when a device connects or leaves.
-
-    Raises
-    ------
-    LinkError
-        The port is taken or not allowed.
+    ``keep`` is called with every shot, before ``on_message``, which is called with every message; ``on_problem`` with a
+    sentence for every unusable message, and when a device connects or leaves; all on other threads. A port that is
+    taken or not allowed raises a ``LinkError``.
     """
 
     def __init__(self, port: int, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:
@@ -325,12 +309,8 @@ class FlightRelayListener(_Link):
 class FlightRelayClient(_Link):
     """Connects to a device or a bridge on its own thread, retrying until it is there.
 
-    Parameters
-    ----------
-    address
-        Address such as ``ws://localhost:5880/frp``; the path may be left out.
-    keep, on_problem, on_message
-        As for :class:`FlightRelayListener`.
+    The address is such as ``ws://localhost:5880/frp``, whose path may be left out; the functions are called as by
+    :class:`FlightRelayListener`.
     """
 
     def __init__(self, address: str, keep: Keep, on_problem: Report, on_message: Keep = lambda message: None) -> None:

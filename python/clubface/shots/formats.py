@@ -128,18 +128,15 @@ class Format:
 
     Attributes
     ----------
-    name
-        Name in ``format=`` and on the command line.
-    title
-        Readable name of the monitor and program.
+    name, title
+        Name in ``format=`` and on the command line, and readable name of the monitor and program.
     fields
         The columns of each quantity, by name.
     marks
         Groups of headings that identify the layout: the header contains all headings of at least one group.
-    club, player, hand
-        Headings of the columns with the club's name, the player's name, and the hand.
-    date, file
-        Headings of the columns with the date of a shot, and with the name of the file it comes from.
+    club, player, hand, date, file
+        Headings of the columns with the names of club and player, the hand, the date of a shot, and the name of the
+        file it comes from.
     title_of_player
         Regular expression for the first cell of a row above the header, whose group is the player of all shots below;
         "" if there is no such row.

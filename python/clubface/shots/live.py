@@ -61,10 +61,7 @@ class LiveShot(NamedTuple):
 class LiveShots:
     """The shots of a file, to which live shots are added; the file is created if it does not exist.
 
-    Raises
-    ------
-    FileError
-        Another process is writing it, it cannot be written, or it is not a file of live shots.
+    Raises a ``FileError`` if another process writes it, it cannot be written, or it is not a file of live shots.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -112,10 +109,7 @@ class LiveShots:
     def keep(self, message: Message, protocol: str) -> LiveShot | None:
         """Write a shot to disk, then notify all listeners; return None for one that was sent before.
 
-        Raises
-        ------
-        FileError
-            It cannot be written; the shot is then not shown.
+        A shot that cannot be written raises a ``FileError`` and is not shown.
         """
         with self._changed:
             if self._is_known(message, protocol):

@@ -62,18 +62,9 @@ def simulator_address(text: str) -> SimulatorAddress:
 class LiveLinks:
     """The connections of a live session, each on its own thread.
 
-    Parameters
-    ----------
-    shots
-        The store of shots.
-    listen
-        The port to listen on by protocol, "open-connect" or "opengolfsim"; 0 picks a free one.
-    flight_relay
-        The address of a Flight Relay device, or a port to listen on; None for neither.
-    simulators
-        Simulators to which every launch is sent, measured or computed from the club data.
-    on_change
-        Called when a remark has been added.
+    ``listen`` gives ports by protocol, "open-connect" or "opengolfsim" (0 picks a free one); ``flight_relay`` is the
+    address of a device, or a port to listen on. Every launch, measured or computed from the club data, is sent to all
+    ``simulators``. ``on_change`` is called when a remark has been added.
     """
 
     def __init__(

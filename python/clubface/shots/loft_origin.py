@@ -63,16 +63,13 @@ class LoftOrigin(NamedTuple):
     ----------
     club, file
         Names as in the file, or "".
-    shots
-        Number of shots with all the data needed.
-    origin
-        One of ``ORIGINS``.
+    shots, origin
+        Number of shots with all the data needed, and one of ``ORIGINS``.
     with_face
         Whether the face angle was used too; it then has the same origin as the loft.
-    ratio
-        I w / (m R v_t), the median over the shots, weighted by spin over speed.
-    ratio_scatter
-        Its robust standard deviation from shot to shot, from the median deviation.
+    ratio, ratio_scatter
+        I w / (m R v_t), the median over the shots, weighted by spin over speed, and its robust standard deviation from
+        shot to shot, from the median deviation.
     scatter
         Standard deviation of the angle between face normal and launch about the implied angle [rad], without outliers.
     rounding

@@ -211,10 +211,8 @@ class MeasuredShots:
         comparison at the measured delivery. Loft and face angle are then not in ``delivery``.
     loft_origins
         Origin of the dynamic lofts.
-    rows
-        Row of each shot in the source.
-    places
-        Index of each shot (from 0) among the recorded shots given.
+    rows, places
+        Row of each shot in the source, and its index (from 0) among the recorded shots given.
     source
         The file, or another name.
     dropped

@@ -49,14 +49,10 @@ class Message:
         "shot", "heartbeat" or "status".
     device, shot_number
         Name and shot number given by the sender; number 0 if none.
-    delivery
-        Inputs of an impact by name; empty if the club was not measured.
-    launch
-        Quantities of the launch by name; empty without ball data.
-    impossible
-        Impossible values, which are left out of both.
-    notes
-        Other parts of the message that were left out, and why.
+    delivery, launch
+        Inputs of an impact, and quantities of the launch, by name; empty if club or ball were not measured.
+    impossible, notes
+        Impossible values, which are left out of both; other parts that were left out, and why.
     is_ready, sees_ball
         The monitor's reported state; None if it reports none.
     identity
@@ -78,10 +74,7 @@ class Message:
 def shot_message(raw: Message) -> Message:
     """Return the message of a shot without impossible values, and with all spin quantities that can be derived.
 
-    Raises
-    ------
-    MessageError
-        Nothing was measured, or nothing is left.
+    Raises a ``MessageError`` if nothing was measured, or nothing is left.
     """
     if not raw.launch and not raw.delivery:
         raise MessageError("; ".join(["the message holds no value of a shot", *map(str, raw.notes)]))

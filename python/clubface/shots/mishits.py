@@ -49,16 +49,12 @@ class Statistic(NamedTuple):
     ----------
     shots
         Number of shots in which it was measured, without mishits.
-    median, spread
-        Median and standard deviation of these (NaN for a single shot).
-    low, high
-        Range of the middle two thirds of these.
+    median, spread, low, high
+        Median and standard deviation of these (NaN for a single shot), and the range of their middle two thirds.
     measured
         Number of shots in which it was measured, including mishits.
-    mean, deviation
-        Mean and standard deviation of all measured shots.
-    usual_mean
-        Mean without mishits.
+    mean, deviation, usual_mean
+        Mean and standard deviation of all measured shots, and mean without mishits.
     """
 
     shots: int

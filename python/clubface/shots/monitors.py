@@ -81,13 +81,7 @@ def formats_result() -> Result:
 
 
 def format_result(name: str) -> Result:
-    """Return the columns of a layout.
-
-    Raises
-    ------
-    UnknownNameError
-        There is no layout of that name.
-    """
+    """Return the columns of a layout; an unknown name raises an :class:`UnknownNameError`."""
     check_choice("format", name, FORMATS)
     layout = FORMATS[name]
     return Result(

@@ -105,12 +105,8 @@ def from_json(data: Mapping[str, Any]) -> Message:
     """Return the message in a JSON object.
 
     Club, spin and carry fields that are not numbers, impossible values, and contradictory spins are left out and
-    reported in ``notes`` and ``impossible``.
-
-    Raises
-    ------
-    MessageError
-        A required field is missing or wrong; the text names it.
+    reported in ``notes`` and ``impossible``. A required field that is missing or wrong raises a :class:`MessageError`,
+    which names it.
     """
     options: Mapping[str, Any] = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in
                                   ("BallData", "ClubData")}  # fmt: skip

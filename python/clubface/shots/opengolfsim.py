@@ -35,13 +35,7 @@ NEEDED = ("ballSpeed", "verticalLaunchAngle", "horizontalLaunchAngle")
 
 
 def from_json(data: Mapping[str, Any]) -> Message:
-    """Return the message in a JSON object.
-
-    Raises
-    ------
-    MessageError
-        It is neither a shot nor a device state; the text names the field at fault.
-    """
+    """Return the message in a JSON object; a ``MessageError`` names the field at fault."""
     kind = data.get("type")
     if kind == "device":
         status = data.get("status")
@@ -68,12 +62,7 @@ def to_json(launch: Mapping[str, float]) -> dict[str, Any]:
     """Return the message of a shot.
 
     The launch is in SI, with at least ``ball_speed`` and ``launch``, and any two of the spin quantities; a warning
-    reports what is assumed if these are missing.
-
-    Raises
-    ------
-    InputError
-        Ball speed or launch angle is missing.
+    reports what is assumed if these are missing. A missing ball speed or launch angle raises an ``InputError``.
     """
     for name in ("ball_speed", "launch"):
         if name not in launch:
@@ -96,10 +85,7 @@ OPENGOLFSIM = Dialect(
 class OpenGolfSimSender:
     """Sends shots to the simulator, without waiting for answers, since none are documented.
 
-    Raises
-    ------
-    LinkError
-        Nobody listens there, or the connection was lost.
+    Raises a ``LinkError`` if nobody listens there, or the connection was lost.
     """
 
     def __init__(self, port: int = PORT, *, host: str = LOOPBACK, timeout: float = 5.0) -> None:

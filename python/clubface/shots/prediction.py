@@ -262,20 +262,14 @@ class PredictReport(Described):
         The file of rows that could not be used, or None if there are none.
     rows
         Number of rows read; each is either written or rejected.
-    written, rejected
-        Number of rows with and without a launch.
-    blank
-        Number of blank lines skipped.
+    written, rejected, blank
+        Number of rows with and without a launch, and of blank lines skipped.
     used
         Quantity and unit of each column used, by heading.
-    passed
-        Headings of the columns passed through.
-    added
-        Headings of the columns added after them.
-    notes
-        Remarks on the result.
-    first_rejects
-        Line and reason of the first rejects.
+    passed, added
+        Headings of the columns passed through, and of those added after them.
+    notes, first_rejects
+        Remarks on the result, and line and reason of the first rejects.
     resumed
         Number of rows done by an earlier run.
     provenance
@@ -420,11 +414,6 @@ def predict(
     resume
         Whether finding an interrupted run with other content or settings is an error; otherwise the run starts over. A
         run with the same ones always resumes.
-
-    Returns
-    -------
-    PredictReport
-        Counts of rows, the columns used, and notes.
 
     Raises
     ------

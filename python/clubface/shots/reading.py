@@ -151,11 +151,6 @@ def read(
         converted to the centre of gravity, and face angles measured at the impact point to the face centre, see
         :func:`refer`. Without it they stay as measured, with a note.
 
-    Returns
-    -------
-    RecordedShots
-        The shots. ``rejected`` holds the rejected rows with line and reason, ``notes`` holds remarks.
-
     Raises
     ------
     FileError
@@ -190,11 +185,8 @@ def read_shots(path: str | os.PathLike[str], *, units: Mapping[str, str] | None 
     cell means not measured. ``units`` gives units of columns without one, by quantity or dimension, such as ``{"speed":
     "mph"}``; otherwise such columns are refused.
 
-    Raises
-    ------
-    FileError
-        The file cannot be read (the message names the line), is empty, has no delivery or launch column, has a unit
-        that is missing or of the wrong dimension, or has no usable row.
+    Raises a :class:`FileError` if the file cannot be read (the message names the line), is empty, has no delivery or
+    launch column, has a unit that is missing or of the wrong dimension, or has no usable row.
     """
     return _read(Path(path), TABLE.name, None, None, check_units(units or {}))
 

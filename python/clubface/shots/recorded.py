@@ -46,14 +46,9 @@ SIDES = {1.0: "right", -1.0: "left"}
 
 
 class RejectedRow(NamedTuple):
-    """A row of a file that gives no shot.
+    """A row of a file that gives no shot: the line at which it begins, from 1, and the reason.
 
-    Attributes
-    ----------
-    line
-        Line at which it begins (in a Parquet file, the row), from 1; None if unknown.
-    reason
-        What is wrong.
+    In a Parquet file the line is the row; it is None if unknown.
     """
 
     line: int | None
@@ -75,10 +70,8 @@ class RecordedShots(Presentable):
         Quantities of the launch and flight by name: ``ball_speed``, ``launch``, ``azimuth``, ``backspin``,
         ``sidespin``, ``total_spin``, ``spin_axis``, ``carry``, ... Spins are completed from each other, and
         contradictory ones left out with a note; see :func:`clubface.simulation.spin.complete`.
-    clubs
-        Club names as in the file, or None.
-    players
-        Player names as in the file, or None.
+    clubs, players
+        Names as in the file, or None.
     hand
         ``"right"`` or ``"left"``, or None if unknown.
     dates
@@ -87,14 +80,10 @@ class RecordedShots(Presentable):
         File name of each shot if there are several files; else None.
     rows
         Line in the source (in Parquet, row) at which each shot begins.
-    source
-        The file, or another name of the source.
-    format
-        Name of the format: ``"clubface"``, ``"trackman"``, ...
-    rejected
-        The rows that gave no shot.
-    notes
-        Remarks on the shots; plain text is accepted too.
+    source, format
+        The file or another name of the source, and the name of its format: ``"clubface"``, ``"trackman"``, ...
+    rejected, notes
+        The rows that gave no shot, and remarks on the shots; plain text is accepted too.
     speed_at
         Point at which speed, attack angle and path were measured: "cg", as models need it, "face" (its centre) or
         "unknown".
@@ -422,12 +411,8 @@ Shots = TypeVar("Shots", bound=RecordedShots)
 def assume_values(shots: Shots, assume: Mapping[str, ValueLike]) -> Shots:
     """Return the shots with stated values for delivery quantities that were not measured, and notes that count them.
 
-    Parameters
-    ----------
-    shots
-        The shots.
-    assume
-        Values by the names of :class:`clubface.Delivery`, as text with units or SI numbers. Measured values stay.
+    ``assume`` gives values by the names of :class:`clubface.Delivery`, as text with units or SI numbers. Measured
+    values stay.
     """
     check_names("quantity in assume", assume, DIMENSIONS)
     deliveries, notes = dict(shots.deliveries), []

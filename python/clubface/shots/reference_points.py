@@ -42,19 +42,9 @@ def refer(shots: RecordedShots, club: ClubByName) -> RecordedShots:
     rate. The attitude is such that the face, a torus with the club's bulge and roll, points as measured at the impact
     point. Shots without closure rate or impact point stay as measured; a note counts them.
 
-    Parameters
-    ----------
-    shots
-        The shots, as measured.
-    club
-        The club (a :class:`Club`, a name or a path), or a mapping from club names in the shots to clubs. Shots with
-        other clubs stay as measured.
-
-    Returns
-    -------
-    RecordedShots
-        The shots. ``speed_at`` is "cg" and ``face_at`` is "face" if all shots were converted, "unknown" if only some
-        were. Data from unknown points stay as measured.
+    ``club`` is a :class:`Club`, a name or a path, or a mapping from club names in the shots to clubs; shots with other
+    clubs stay as measured, as do data from unknown points. ``speed_at`` of the result is "cg" and ``face_at`` is "face"
+    if all shots were converted, "unknown" if only some were.
     """
     deliveries = {name: values.copy() for name, values in shots.deliveries.items()}
     notes: list[Note] = []

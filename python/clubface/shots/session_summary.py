@@ -49,14 +49,10 @@ class ClubSummary:
 
     Attributes
     ----------
-    player
-        Player's name as in the file; "" unless several players are named.
-    club
-        Club name as in the file, or "".
-    places
-        Indices of its shots in the session.
-    spreads
-        Statistics by quantity.
+    player, club
+        Names as in the file, or ""; the player's only if several players are named.
+    places, spreads
+        Indices of its shots in the session, and statistics by quantity.
     mishits
         Its mishits, with reasons; ``place`` is the index in the session.
     gap
@@ -217,12 +213,7 @@ def _remarks(clubs: Sequence[ClubSummary]) -> Iterator[Note]:
 def session_picture(shots: RecordedShots, clubs: Sequence[ClubSummary]) -> Picture:
     """Return the picture of a session: landings with one-standard-deviation ellipses, carries and gaps.
 
-    Mishits are grey crosses and excluded from ellipses, carries and gaps.
-
-    Raises
-    ------
-    InputError
-        The file has no carry.
+    Mishits are grey crosses and excluded from ellipses, carries and gaps. Without carry, an ``InputError`` is raised.
     """
     drawn = [each for each in clubs if "carry" in each.spreads]
     if not drawn:

@@ -178,10 +178,8 @@ class Advice:
 
     Attributes
     ----------
-    purpose
-        Name of the main objective.
-    golfer
-        Description of the golfer or golfers.
+    purpose, golfer
+        Name of the main objective, and description of the golfer or golfers.
     objectives
         All objectives, the main one first.
     names
@@ -195,10 +193,8 @@ class Advice:
         The smallest difference worth a change, by objective [SI].
     choices
         Alternatives that may be recommended for the main objective; default all.
-    conditions
-        Description of shots, model and hole.
-    assumed_hole
-        Whether the hole is the assumed one.
+    conditions, assumed_hole
+        Description of shots, model and hole, and whether the hole is the assumed one.
     at_an_end
         Alternatives at an end of the range tried, so that the true optimum may lie beyond.
     """

@@ -32,8 +32,8 @@ class Fitting(AdvisedStudy):
         Name in reports.
     golfers
         Golfers with weights; their deliveries are for the first club and carry over to the others.
-    objective
-        Name of the main objective.
+    objective, worth
+        Name of the main objective, and smallest difference worth a change by objective [SI]; default ``WORTH``.
     clubs, balls
         The parts.
     settings
@@ -42,8 +42,6 @@ class Fitting(AdvisedStudy):
         Range of change of a freely adjustable loft and lie [SI].
     hole, setting, shots, seed
         As for :class:`.DesignStudy`.
-    worth
-        The smallest difference worth a change, by objective [SI]; default ``WORTH``.
     """
 
     objective: str

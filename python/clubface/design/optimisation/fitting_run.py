@@ -41,18 +41,12 @@ class Combination(NamedTuple):
 
     Attributes
     ----------
-    club
-        Name of the club.
-    ball
-        Name of the ball.
-    setting
-        Name of the head's setting, "" without settings.
+    club, ball, setting
+        Names of the club, the ball, and the head's setting ("" without settings).
     changes
         Changes of loft, lie and CG [SI], including adjusted ones.
-    value
-        Value of the main objective [SI].
-    others
-        Values of the other objectives, by name [SI].
+    value, others
+        Values of the main objective, and of the others by name [SI].
     error
         Standard error of the difference from the best [SI]; 0 for the best itself.
     place
@@ -84,10 +78,8 @@ class Effect(NamedTuple):
 
     Attributes
     ----------
-    part
-        "club", "ball" or "setting".
-    objective
-        Name of an objective.
+    part, objective
+        "club", "ball" or "setting", and the name of an objective.
     difference, error
         The largest difference between two parts, and its standard error [SI].
     matters
@@ -106,10 +98,8 @@ class Fitted(list[Combination], Described):
 
     Attributes
     ----------
-    fitting
-        The fitting.
-    advice
-        Advice on the present club, all combinations, and the best for other objectives.
+    fitting, advice
+        The fitting, and advice on the present club, all combinations, and the best for other objectives.
     effects
         How much clubs, balls and settings matter, by objective.
     alternatives
@@ -191,8 +181,7 @@ def fit(
         CSV file for all combinations. Finished ones are kept in a folder next to it until the file is written; without
         an output nothing is kept.
     resume
-        Whether finding the interrupted run of a different fitting is an error; otherwise it starts over. An interrupted
-        run of the same fitting always resumes.
+        As for :func:`clubface.optimise`.
     progress
         Called with the number of combinations done and the total.
 
@@ -213,7 +202,6 @@ def fit(
 
 
 def _rank(fitting: Fitting, tried: list[_CombinationResult]) -> Fitted:
-    """Return the ranked combinations with advice."""
     purpose, count = fitting.objective, range(len(tried))
     own = [each.judged[purpose] for each in tried]
     same = next((place for place in count if _is_present(fitting, place, own[place])), None)

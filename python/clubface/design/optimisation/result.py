@@ -53,12 +53,10 @@ class Fresh:
 
     Attributes
     ----------
-    shots
-        Number of shots.
+    shots, objectives
+        Number of shots, and names of the objectives.
     clubs
         "start", "nominal" and "optimum", then the name of every objective with a best club of its own.
-    objectives
-        Names of the objectives.
     sets
         Values for independent sets of shots [SI], shape (sets, clubs, objectives).
     """
@@ -86,15 +84,7 @@ class Fresh:
 
 @dataclass(frozen=True)
 class FrontPoint:
-    """A club on the Pareto front between two objectives.
-
-    Attributes
-    ----------
-    club
-        The fields that change [SI].
-    values
-        The objectives [SI].
-    """
+    """A club on the Pareto front between two objectives: its changed fields, and the objectives' values [SI]."""
 
     club: Mapping[str, float]
     values: Mapping[str, float]
@@ -106,10 +96,8 @@ class Verdict:
 
     Attributes
     ----------
-    limit
-        Description of the limit.
-    quantity
-        The limited quantity.
+    limit, quantity
+        Description of the limit, and the limited quantity.
     value, least, most
         The optimum's value and the allowed range [SI]; infinite for no limit, NaN for an unknown value.
     margin
@@ -141,14 +129,10 @@ class Optimum(Described):
     ----------
     study
         The study.
-    club
-        The changed fields [SI].
-    nominal
-        The same fields of the club that is best for the mean delivery [SI].
-    starts, alike
-        Number of solver starts, and how many end as good as the best.
-    steps
-        Solver steps on all shots.
+    club, nominal
+        The changed fields, and the same fields of the club that is best for the mean delivery [SI].
+    starts, alike, steps
+        Number of solver starts, how many end as good as the best, and solver steps on all shots.
     shots, missed
         Number of shots computed, and of shots that missed the face.
     judged

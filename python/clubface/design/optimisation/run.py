@@ -72,11 +72,6 @@ def optimise(
     progress
         Called with the number of parts done, the total, and a description of the current part.
 
-    Returns
-    -------
-    Optimum
-        The best club, its objectives on fresh shots, and all limits.
-
     Raises
     ------
     InputError

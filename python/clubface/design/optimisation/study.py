@@ -109,10 +109,8 @@ class Head:
     ----------
     volume
         Where its mass may be.
-    discretionary
-        Maximum discretionary mass [kg].
-    displaced
-        Its volume as the rules measure it [m3], or None.
+    discretionary, displaced
+        Maximum discretionary mass [kg]; volume of the head as the rules measure it [m3], or None.
     shell
         Mass properties of the fixed part in the order of ``MASS_PROPERTIES`` [SI]; None for the base club made
         uniformly lighter by the discretionary mass.
@@ -159,14 +157,10 @@ class DesignStudy(AdvisedStudy):
         Limits on the head; needed if a mass property changes.
     limits
         Lower and upper limit of fields and objectives [SI]; infinite for none.
-    conform
-        Whether the rules of golf are limits.
-    tolerance
-        Whether the rules' tolerances may be used.
-    hole
-        The hole for expected strokes.
-    setting
-        Model, ball and air.
+    conform, tolerance
+        Whether the rules of golf are limits, and whether their tolerances may be used.
+    hole, setting
+        The hole for expected strokes; model, ball and air.
     shots, seed, starts, points
         Shots per golfer, seed of shots and starts, solver starts, points of a front.
     worth

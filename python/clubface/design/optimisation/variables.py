@@ -225,15 +225,7 @@ NEGLIGIBLE = 1e-9
 
 
 class PointMass(NamedTuple):
-    """A point mass.
-
-    Attributes
-    ----------
-    mass
-        Mass [kg].
-    place
-        Position relative to the face centre: to the target, up, to the toe [m].
-    """
+    """A point mass [kg], and its place relative to the face centre: to the target, up, to the toe [m]."""
 
     mass: float
     place: tuple[float, float, float]

@@ -36,10 +36,7 @@ Head = DriverHead | MeshHead
 class NamedMetal:
     """A named metal and the source of its properties.
 
-    Attributes
-    ----------
-    groups
-        Groups of a mesh to which it may be assigned, all together; empty for all groups that no other metal names.
+    It may be assigned to ``groups`` of a mesh, all together; empty for all groups that no other metal names.
     """
 
     name: str
@@ -50,15 +47,7 @@ class NamedMetal:
 
 @dataclass(frozen=True, kw_only=True)
 class MetalChoice:
-    """One assignment of metals to the groups of a head.
-
-    Attributes
-    ----------
-    name
-        Name in tables.
-    metals
-        Metal by group; the key "" stands for all other groups.
-    """
+    """One assignment of metals to the groups of a head; the key "" stands for all groups that are not named."""
 
     name: str
     metals: Mapping[str, NamedMetal]
@@ -125,20 +114,11 @@ class DriverFamily:
     """The heads a study can choose from: parametric drivers that keep their mass targets.
 
     A variable is named after its table and key in the head's file, such as "thickness.crown".
-
-    Attributes
-    ----------
-    start
-        Mesh of the starting head.
-    variables
-        By table: the word for one variable, and their names.
-    groups
-        Groups that may have different metals; empty for a head of one metal.
     """
 
     start: ShellHead
-    variables: Mapping[str, tuple[str, tuple[str, ...]]]
-    groups: tuple[str, ...] = ()
+    variables: Mapping[str, tuple[str, tuple[str, ...]]]  # by table: the word for one variable, and their names
+    groups: tuple[str, ...] = ()  # may have different metals; empty for a head of one metal
 
     def __init__(self, head: DriverHead, varied: Mapping[str, Any]) -> None:
         self._head = head

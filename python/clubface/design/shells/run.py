@@ -74,10 +74,8 @@ class Improved(Described):
 
     Attributes
     ----------
-    study
-        The study.
-    searches
-        One search per choice of metals.
+    study, searches
+        The study, and one search per choice of metals.
     chosen
         The search that found the best head.
     head
@@ -137,8 +135,7 @@ def improve(
     output
         TOML file for the best head. Finished runs are kept in a folder next to it until the study ends.
     resume
-        Whether finding the interrupted run of a different study is an error; otherwise the search starts over. An
-        interrupted run of the same study always resumes.
+        As for :func:`clubface.optimise`.
     workers
         Number of runs at a time; default one per core.
     progress

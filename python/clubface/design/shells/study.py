@@ -208,10 +208,8 @@ class ShellStudy(_Asked):
 
     Attributes
     ----------
-    title
-        Name in tables.
-    head
-        The starting head: a parametric driver, or a mesh of shells.
+    title, head
+        Name in tables, and the starting head: a parametric driver, or a mesh of shells.
     bounds
         Lower and upper bound [SI] of each variable, by table and name. For a driver these are walls and dimensions of
         :class:`.DriverHead`, such as "thickness.face_centre"; crown, sole and skirt are not scaled to meet the mass if

@@ -35,10 +35,8 @@ class Goal:
 
     Attributes
     ----------
-    objective
-        Name of a quantity.
-    largest
-        Whether it is maximised; otherwise minimised.
+    objective, largest
+        Name of a quantity, and whether it is maximised rather than minimised.
     limits
         Lower and upper limits of quantities, by name; 0 and infinity for none.
     """
@@ -163,10 +161,8 @@ class Step:
         "start", "neighbour" or "proposal".
     values, promised
         Quantities from the exact model and, for a proposal, those predicted by the corrected fast model.
-    accepted
-        Whether it became the best design.
-    radius
-        Half the width of the trust region.
+    accepted, radius
+        Whether it became the best design, and half the width of the trust region.
     """
 
     place: tuple[float, ...]
@@ -179,17 +175,7 @@ class Step:
 
 @dataclass(frozen=True, kw_only=True)
 class SearchResult:
-    """The result of a search.
-
-    Attributes
-    ----------
-    steps
-        All designs evaluated by the exact model, in order.
-    best
-        Index of the best one.
-    ended
-        Why the search ended.
-    """
+    """All designs evaluated by the exact model, in order, the index of the best one, and why the search ended."""
 
     steps: tuple[Step, ...]
     best: int
@@ -207,14 +193,10 @@ def trust_region_search(
     fast, exact
         The models. Both take variables as shares of their ranges, 0 to 1, and return positive quantities by name. The
         exact model takes several designs at once; the values of a failed design are NaN.
-    start
-        The starting design.
-    goal
-        Objective and limits.
-    radius
-        Half the width of the initial trust region.
-    most
-        Maximum number of designs the exact model evaluates.
+    start, goal
+        The starting design; objective and limits.
+    radius, most
+        Half the width of the initial trust region, and maximum number of designs the exact model evaluates.
     neighbours
         Whether it evaluates a neighbour along each variable, at the start and where the search would end, to give the
         correction its slopes. Otherwise a search may stop too early, as slopes are known only along its own path.

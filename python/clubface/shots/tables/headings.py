@@ -334,12 +334,7 @@ def given_unit(given: Mapping[str, str], quantity: str, dimension: str) -> str |
 def check_units(given: Mapping[str, str], dimensions: Mapping[str, str] | None = None) -> dict[str, str]:
     """Return checked units by quantity, group or dimension; ``dimensions`` gives the quantities' dimensions.
 
-    Raises
-    ------
-    UnknownNameError
-        A name is not a quantity, group or dimension.
-    UnitError
-        A unit is unknown, or of another dimension.
+    Raises an ``UnknownNameError`` for any other name, and a ``UnitError`` for a unit unknown or of another dimension.
     """
     dimensions = shot_words().dimensions if dimensions is None else dimensions
     groups = {name: dimension for name, (dimension, members) in GROUPS.items() if set(members) & set(dimensions)}
