@@ -125,18 +125,12 @@ class InferReport(Described):
     ----------
     output
         The file written.
-    shots
-        Number of rows in the file.
-    resumed
-        Number of rows finished by an earlier run.
-    without
-        Number of rows without a delivery; the remark gives the reason.
-    warned
-        Number of rows with a delivery and a warning.
-    used
-        The measured delivery quantities that were used as well.
-    club_noise
-        Their standard deviations [SI].
+    shots, resumed
+        Number of rows in the file, and of those finished by an earlier run.
+    without, warned
+        Number of rows without a delivery, for a reason given in the remark, and with a delivery and a warning.
+    used, club_noise
+        The measured delivery quantities that were used as well, and their standard deviations [SI].
     """
 
     output: str

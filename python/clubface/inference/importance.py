@@ -65,10 +65,8 @@ class Sample(NamedTuple):
         Effective number of the weighted draws before resampling.
     draws
         Number of weighted draws from the last proposal.
-    evaluations
-        Total number of densities computed.
-    stages
-        Number of proposals.
+    evaluations, stages
+        Total numbers of densities computed and of proposals.
     log_evidence
         Logarithm of the integral of the density.
     largest_weight

@@ -305,15 +305,16 @@ class Inference:
         return np.stack([given[name] for name in names], axis=1)
 
 
+def _parsed(what: str, given: Any, dimensions: Mapping[str, str], example: str) -> dict[str, float]:
+    if not isinstance(given, Mapping):
+        raise InputError(what, given, f"a mapping of measured values, as in {example}")
+    check_names(f"{what} value", given, dimensions)
+    return {name: units.parse(each, dimensions[name], name=name) for name, each in given.items() if each is not None}
+
+
 def _measured_launch(launch: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured launch quantities [SI], with the spin as backspin and sidespin."""
-    if not isinstance(launch, Mapping):
-        raise InputError("launch", launch, 'a mapping of measured values, as in {"ball_speed": "160 mph"}')
-    dimensions = {**_DIMENSIONS, **SPIN_DIMENSIONS}
-    check_names("launch value", launch, dimensions)
-    given = {
-        name: units.parse(value, dimensions[name], name=name) for name, value in launch.items() if value is not None
-    }
+    given = _parsed("launch", launch, {**_DIMENSIONS, **SPIN_DIMENSIONS}, '{"ball_speed": "160 mph"}')
     if TOTAL in given or AXIS in given:
         given |= _parts({name: given.pop(name) for name in SPINS if name in given})
     if "azimuth" in given:
@@ -335,12 +336,7 @@ def _parts(spins: dict[str, float]) -> dict[str, float]:
 
 def _measured_club(delivery: Mapping[str, ValueLike]) -> dict[str, float]:
     """Return the measured club data [SI]."""
-    if not isinstance(delivery, Mapping):
-        raise InputError("delivery", delivery, 'a mapping of measured values, as in {"speed": "110 mph"}')
-    check_names("delivery value", delivery, OF_CLUB)
-    given = {
-        name: units.parse(value, OF_CLUB[name], name=name) for name, value in delivery.items() if value is not None
-    }
+    given = _parsed("delivery", delivery, OF_CLUB, '{"speed": "110 mph"}')
     if not given.get("speed", 1.0) > 0.0:
         raise InputError("speed", given["speed"], "positive")
     return {name: given[name] for name in OF_CLUB if name in given}

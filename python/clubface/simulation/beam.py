@@ -116,8 +116,7 @@ class Beam:
 
 def cross_matrix(vector: NDArray[Any]) -> NDArray[Any]:
     """Return the matrix [v]x, for which [v]x u = v x u."""
-    x, y, z = vector
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.cross(vector, np.eye(3)).T
 
 
 class Modes(NamedTuple):

@@ -117,9 +117,8 @@ class Air:
         if self.altitude is not None:
             altitude = units.parse_values(self.altitude, "length", name="altitude")
             object.__setattr__(self, "altitude", altitude)
-            pressure = [core.pressure_at_altitude(each) for each in np.ravel(altitude).tolist()]
-            whole = pressure[0] if isinstance(altitude, float) else np.array(pressure).reshape(np.shape(altitude))
-            object.__setattr__(self, "pressure", whole)
+            pressure = np.vectorize(core.pressure_at_altitude, otypes=[float])(altitude)
+            object.__setattr__(self, "pressure", float(pressure) if isinstance(altitude, float) else pressure)
         allowed = flight_inputs()["pressure"]
         # In an array, an altitude whose pressure is out of range is reported with its flight.
         if isinstance(self.altitude, float) and not allowed.lower <= self.pressure <= allowed.upper:
@@ -280,14 +279,10 @@ class Flight(Batch):
         Distance of the landing from the target line [m], right is positive.
     apex
         Maximum height above the start [m].
-    landing_angle
-        Angle of descent below the horizontal [rad].
     flight_time
         Time from launch to landing [s].
-    landing_speed
-        Ball speed at landing [m/s].
-    landing_spin
-        Total spin at landing [rad/s].
+    landing_angle, landing_speed, landing_spin
+        Angle of descent below the horizontal [rad], ball speed [m/s] and total spin [rad/s] at landing.
     total
         Straight distance from the start to where the ball comes to rest after bounces and roll [m].
     total_side
@@ -502,12 +497,8 @@ class Trajectory(Series):
     ----------
     time
         Time since launch [s], shape (n,).
-    position
-        Position relative to the start, to the target, up, right [m], shape (n, 3).
-    velocity
-        Velocity [m/s], shape (n, 3).
-    spin
-        Angular velocity [rad/s], shape (n, 3).
+    position, velocity, spin
+        Position from the start, velocity and angular velocity [m, m/s, rad/s], to the target, up, right, shape (n, 3).
     inputs
         Inputs of the flight by name [SI].
     launch

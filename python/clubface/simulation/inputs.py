@@ -61,10 +61,8 @@ class Delivery:
         Impact point relative to the face centre [m], positive towards the toe and towards the crown.
     closure
         Closure rate of the face about the vertical [rad/s].
-    pitch_rate
-        Rate of increase of the loft [rad/s].
-    lie_rate
-        Rate of increase of the lie tilt, toe rising [rad/s].
+    pitch_rate, lie_rate
+        Rates of increase of the loft, and of the lie tilt, toe rising [rad/s].
     ball_backspin, ball_sidespin, ball_riflespin
         Spin of the ball before impact [rad/s], about the horizontal to the right of the target, the downward vertical
         and the horizontal to the target; zero for a ball at rest.
@@ -128,18 +126,14 @@ class Delivery:
             Rotation from head axes to world axes, a matrix, shape (..., 3, 3), or a quaternion, real part first, shape
             (..., 4). Head axes coincide with world axes while the club stands at its static loft with a square face;
             the CG and the inertia of a club are given in them.
-        position
-            Position of a point of the head [m], shape (..., 3).
-        velocity
-            Velocity of the same point [m/s], shape (..., 3).
-        angular_velocity
-            Angular velocity of the head, in world axes [rad/s], shape (..., 3).
+        position, velocity
+            Position [m] and velocity [m/s] of a point of the head, shape (..., 3).
+        angular_velocity, ball_angular_velocity
+            Angular velocities of head and ball, in world axes [rad/s], shape (..., 3).
         club, ball, hand
             As for :func:`impact`.
         ball_position
             Centre of the ball at rest [m], shape (..., 3).
-        ball_angular_velocity
-            Angular velocity of the ball, in world axes [rad/s], shape (..., 3).
         point
             Point of the head to which position and velocity refer: "cg", "face_centre", or the vector to it from the CG
             in head axes [m].

@@ -59,14 +59,10 @@ class Launch(Batch):
         Clubhead velocity after impact [m/s].
     club_spin_x, club_spin_y, club_spin_z
         Clubhead angular velocity after impact [rad/s].
-    contact_time
-        Contact time [s]; NaN for a model without a time scale.
-    peak_force
-        Peak normal force [N]; NaN for a model without a time scale.
-    model
-        Name of the model.
-    parameters
-        The parameters used.
+    contact_time, peak_force
+        Contact time [s] and peak normal force [N]; NaN for a model without a time scale.
+    model, parameters
+        Name of the model, and the parameters used.
     shape
         Shape to which the inputs broadcast; () for a single shot.
     """

@@ -44,10 +44,8 @@ class BallMotion(NamedTuple):
 
     Attributes
     ----------
-    position
-        Position of the centre [m], shape (3,).
-    velocity
-        Velocity of the centre [m/s], shape (3,).
+    position, velocity
+        Position [m] and velocity [m/s] of the centre, shape (3,).
     angular_velocity
         Angular velocity [rad/s], shape (3,); of a layered ball, its total angular momentum over its inertia.
     """
@@ -64,18 +62,14 @@ class Wrench(NamedTuple):
     ----------
     force
         Force on the ball [N]; the opposite force acts on the head.
-    ball_torque
-        Moment on the ball about its centre [N m].
-    head_torque
-        Moment on the head about its CG [N m].
+    ball_torque, head_torque
+        Moments on the ball about its centre, and on the head about its CG [N m].
     point
         Point of application of the force [m].
     normal_force
         Normal force [N].
-    penetration
-        Penetration of ball and face [m]; negative when they are apart and no force acts.
-    penetration_rate
-        Rate of penetration [m/s].
+    penetration, penetration_rate
+        Penetration of ball and face [m], negative when they are apart and no force acts, and its rate [m/s].
     """
 
     force: Floats
@@ -101,10 +95,8 @@ class StepLoads(NamedTuple):
         Mean force on the head [N], shape (3,); the opposite force acts on the ball.
     torque
         Mean torque on the head about its CG [N m], shape (3,).
-    normal_force
-        Normal force at the end of the step [N].
-    penetration
-        Penetration at the end of the step [m], negative when apart.
+    normal_force, penetration
+        Normal force [N] and penetration [m] at the end of the step, the latter negative when apart.
     """
 
     force: Floats

@@ -42,10 +42,8 @@ class Pose(NamedTuple):
     rotation
         Rotation from head axes to world axes, shape (..., 3, 3); the identity while the club stands at its static loft
         with a square face.
-    position
-        Position of a point of the head [m], shape (..., 3).
-    velocity
-        Velocity of the same point [m/s], shape (..., 3).
+    position, velocity
+        Position [m] and velocity [m/s] of a point of the head, shape (..., 3).
     angular_velocity
         Angular velocity of the head [rad/s], shape (..., 3).
     """

@@ -79,10 +79,8 @@ class Sensitivity(Presentable):
 
     Attributes
     ----------
-    outputs
-        Names of the rows: launch quantities.
-    variables
-        Names of the columns: inputs and parameters of the model.
+    outputs, variables
+        Names of the rows, launch quantities, and of the columns, inputs and parameters of the model.
     si
         The derivatives in SI and radians, shape (outputs, variables, ...) with the shape of the launch last.
     launch

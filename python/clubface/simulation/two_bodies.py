@@ -90,10 +90,8 @@ class Touch(NamedTuple):
 
     Attributes
     ----------
-    depth
-        Penetration of ball and face [m], 0 or more.
-    rate
-        Rate of penetration [m/s], positive during compression.
+    depth, rate
+        Penetration of ball and face [m], 0 or more, and its rate [m/s], positive during compression.
     sliding_y, sliding_z
         Velocity of the ball's surface on the face [m/s], up the face and towards the toe.
     curvature

@@ -42,16 +42,12 @@ class PublishedAccuracy:
     mean
         Mean of each measured quantity. The publication does not state whether the means of azimuth and sidespin are
         means of magnitudes.
-    mae
-        Mean absolute error.
-    std
-        Standard deviation of the error; empty if not published.
+    mae, std
+        Mean absolute error and standard deviation of the error; the latter is empty if not published.
     mae_percent, std_percent
         The printed percentages of the mean; empty if there are none.
-    cpu
-        The printed processor time [s]; None if there is none.
-    cost
-        The printed value of the cost of equation 22; None if there is none.
+    cpu, cost
+        The printed processor time [s] and cost of equation 22; None if there is none.
     caveats
         Errors in the printed numbers.
     """

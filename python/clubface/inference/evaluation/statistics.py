@@ -56,10 +56,8 @@ class ErrorSize(NamedTuple):
         Mean absolute error; its interval is ``mae_interval``.
     std
         Standard deviation of the error (n - 1); NaN for a single shot.
-    rms
-        Root mean square of the error.
-    worst
-        Largest magnitude of the error.
+    rms, worst
+        Root mean square and largest magnitude of the error.
     """
 
     shots: int

@@ -23,7 +23,7 @@ direction of the unit cube along which no launch changes by more than these cann
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -356,14 +356,13 @@ def _direction(names: tuple[str, ...], vector: Floats, error: float) -> Directio
     if len(moved) > 1:
         shares = " : ".join(f"{abs(vector[place]) / abs(vector[main[0]]):.2g}" for place in main)
         what += f" ({shares} of their ranges)"
-    width = NORMAL_95 * error
-    if not np.isfinite(width):
-        certainty = "no launch changes at all"
-    elif width > UNKNOWN:
-        certainty = "launches change by less than their scatter over the whole range"
-    else:
-        certainty = f"known to {100.0 * width:.2g}% of the range (95%)"
-    return Direction(vector, error, f"{what}: {certainty}")
+    open_words = {
+        "none": "no launch changes at all",
+        "unknown": "launches change by less than their scatter over the whole range",
+    }
+    direction = Direction(vector, error, what)
+    known = f"known to {100.0 * NORMAL_95 * error:.2g}% of the range (95%)"
+    return replace(direction, words=f"{what}: {open_words.get(direction.strength, known)}")
 
 
 def errors_of_minimum(simulator: Simulator, cost: Cost, point: Floats, information: Identifiability) -> Floats:

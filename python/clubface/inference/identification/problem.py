@@ -60,25 +60,20 @@ class FreeParameters:
 
     def values(self, points: Floats) -> Floats:
         """Return the parameter values [SI] at points of the unit cube, both of shape (..., free)."""
-        linear = self.lower + points * (self.upper - self.lower)
-        if self.logarithmic.any():
-            low, high = self._logarithms()
-            linear = np.where(self.logarithmic, np.exp(low + points * (high - low)), linear)
-        return np.clip(linear, self.lower, self.upper)
+        low, high = self._scaled(self.lower), self._scaled(self.upper)
+        scaled = low + points * (high - low)
+        values = np.where(self.logarithmic, np.exp(np.where(self.logarithmic, scaled, 0.0)), scaled)
+        return np.clip(values, self.lower, self.upper)
 
     def points(self, values: Floats) -> Floats:
         """Return the points of the unit cube at parameter values [SI], both of shape (..., free)."""
-        points = (values - self.lower) / (self.upper - self.lower)
-        if self.logarithmic.any():
-            low, high = self._logarithms()
-            positive = np.where(self.logarithmic, values, 1.0)
-            points = np.where(self.logarithmic, (np.log(positive) - low) / (high - low), points)
-        return np.clip(points, 0.0, 1.0)
+        low, high = self._scaled(self.lower), self._scaled(self.upper)
+        return np.clip((self._scaled(values) - low) / (high - low), 0.0, 1.0)
 
     def slopes(self, points: Floats) -> Floats:
         """Return the derivatives of the values with respect to the coordinates, shape (..., free)."""
-        low, high = self._logarithms()
-        return np.where(self.logarithmic, self.values(points) * (high - low), self.upper - self.lower)
+        ranges = self._scaled(self.upper) - self._scaled(self.lower)
+        return np.where(self.logarithmic, self.values(points), 1.0) * ranges
 
     def columns(self, points: Floats, shots: int) -> list[Any]:
         """Return the core's parameter columns for points of shape (n, free), each repeated for all shots."""
@@ -103,14 +98,8 @@ class FreeParameters:
     def parameters(self, point: Floats, **labels: Any) -> ParameterSet:
         """Return the parameter set at one point; ``labels`` are its name, source and the like."""
         values = dict(zip(self.fixed.values, self.single(point), strict=True))
-        return ParameterSet(
-            model=self.fixed.model,
-            club=self.fixed.club,
-            values=values,
-            includes_face=self.fixed.includes_face,
-            characteristic_time=self.fixed.characteristic_time,
-            **labels,
-        )
+        kept = {name: getattr(self.fixed, name) for name in ("model", "club", "includes_face", "characteristic_time")}
+        return ParameterSet(values=values, **kept, **labels)
 
     def declared(self) -> list[Parameter]:
         """Return the registry entries of the free parameters."""
@@ -120,12 +109,9 @@ class FreeParameters:
         leader = self.tied.get(name, name)
         return self.names.index(leader) if leader in self.names else None
 
-    def _logarithms(self) -> tuple[Floats, Floats]:
-        """Return the logarithms of the bounds, or 0 and 1 where they are not used."""
-        return (
-            np.log(np.where(self.logarithmic, self.lower, 1.0)),
-            np.log(np.where(self.logarithmic, self.upper, np.e)),
-        )
+    def _scaled(self, values: Floats) -> Floats:
+        """Return the logarithms of values searched on a logarithmic scale, the others as they are."""
+        return np.where(self.logarithmic, np.log(np.where(self.logarithmic, values, 1.0)), values)
 
 
 def free_parameters(

@@ -46,10 +46,8 @@ class Deviation:
         Mean magnitude of the measured values.
     mae
         Mean absolute error.
-    bias
-        Mean of simulated minus measured values.
-    std
-        Standard deviation of simulated minus measured values.
+    bias, std
+        Mean and standard deviation of simulated minus measured values.
     mae_holdout
         Mean absolute error with each shot simulated by a fit without it; NaN without hold-out.
     mae_before
@@ -70,25 +68,19 @@ class Identification(Described):
 
     Attributes
     ----------
-    model
-        Name of the model.
-    club
-        Name of the club.
+    model, club
+        Names of the model and of the club.
     parameters
         All parameters of the model, usable wherever a parameter set is; ``to_toml()`` returns them as the text of a
         file.
     free
         Names of the identified parameters.
-    intervals
-        Ends of the confidence interval of each free parameter [SI].
-    confidence
-        Confidence level of the intervals.
+    intervals, confidence
+        Ends of the confidence interval of each free parameter [SI], and its confidence level.
     method
         Method of the intervals: "bootstrap", or "information", from derivatives and normally distributed deviations.
-    cost
-        Cost at the identified parameters.
-    cost_holdout
-        Cost with each shot simulated by a fit without it; NaN without hold-out.
+    cost, cost_holdout
+        Cost at the identified parameters, and with each shot simulated by a fit without it; NaN without hold-out.
     cost_kind
         "published" (equation 22 of Caldwell and McPhee 2023), "least-squares" or "robust".
     deviations
@@ -113,10 +105,8 @@ class Identification(Described):
         Profile likelihoods by parameter.
     at_bound
         Names of the free parameters at a bound of the search.
-    warnings
-        Warnings to read before using the parameters.
-    notes
-        Notes on assumptions about the shots.
+    warnings, notes
+        Warnings to read before using the parameters, and notes on assumptions about the shots.
     settings
         The options of the identification.
     loft_origins
