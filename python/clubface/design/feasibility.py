@@ -268,16 +268,12 @@ QUANTITIES = (
 
 
 class Space(NamedTuple):
-    """Assumed space of a head about which nothing else is known.
+    """Assumed space of a head about which nothing else is known."""
 
-    ``volume`` contains its mass, ``displaced`` is its volume as the rules measure it [m3] or None, ``free`` the
-    discretionary mass [kg], and ``origin`` says where these come from.
-    """
-
-    volume: Volume
-    displaced: float | None
-    free: float
-    origin: str
+    volume: Volume  # contains its mass
+    displaced: float | None  # its volume as the rules measure it [m3]
+    free: float  # discretionary mass [kg]
+    origin: str  # of these values
 
 
 def usual_space(club: Club) -> Space:

@@ -1,10 +1,9 @@
 """Estimating a golfer from launch monitor shots, and the sensitivity of dispersion to assumed figures.
 
-A golfer is described by how deliveries differ from shot to shot. A session also drifts, as the golfer tires or works on
-something, and contains mishits. Spreads and correlations therefore come from differences of successive shots, which
-nearly cancel drift (von Neumann, 1941), and shots are modelled as a mixture with mishits. If rows are not in the order
-of play there is no drift to remove, and sorted rows would give spreads that are far too small; such rows are shuffled
-first.
+A session drifts, as the golfer tires or works on something, and contains mishits. Spreads and correlations therefore
+come from differences of successive shots, which nearly cancel drift (von Neumann, 1941), and shots are modelled as a
+mixture with mishits. Rows that are not in the order of play are shuffled first, since sorted rows would give spreads
+that are far too small.
 
 Both parts of the mixture are normal, with the mishits c times as wide. The difference of two shots then has covariance
 2 C with probability (1 - s)^2, (1 + c^2) C with 2 s (1 - s), and 2 c^2 C with s^2; share s, scale c and covariance C
@@ -12,11 +11,9 @@ are maximum-likelihood estimates. As in other robust estimates, a mishit has lit
 includes the uncertainty about the mishits.
 
 Correlations are shrunk towards zero by the amount that minimises their expected squared error (Ledoit and Wolf, 2004),
-because few shots and many quantities give strong correlations by chance. Spreads are not shrunk, and the correlation
-matrix is valid for any number of shots.
+because few shots and many quantities give strong correlations by chance; spreads are not shrunk.
 
-To show how much depends on assumed figures, each is changed in turn and the same quasi-random shots are hit, so that
-differences come from the figure and not from sampling.
+To show how much depends on assumed figures, each is changed in turn and the same quasi-random shots are hit.
 """
 
 from __future__ import annotations
@@ -53,15 +50,13 @@ SETTLED = 1e-7
 VANISHES = 1e-12
 """Relative variance below which a quantity hardly ever changes, because every change counts as a mishit."""
 STANDARD_ERROR = 0.75
-"""Variance of an estimated spread times the number of shots over the squared spread: 3/4 from successive differences of
-normally distributed shots, compared with 1/2 from deviations from the mean."""
+"""Relative variance of a spread times the number of shots: 3/4 from successive differences, 1/2 about the mean."""
 MIXTURES = [(0.0, 1.0), *product((0.03, 0.08, 0.15, 0.25), (1.5, 2.0, 3.0, 4.5))]
 """Shares and scales of mishits over which the uncertainty is averaged."""
 NO_MISHITS = 0.15
 """Prior probability of the first mixture; the others share the rest equally."""
 EFFECTIVE_SHARE = 2 / 3
-"""Number of independent shots one successive difference is worth, since each shot is in two of them: the variance of a
-spread is 1/2 about the mean and 3/4 from differences (``STANDARD_ERROR``)."""
+"""Number of independent shots one successive difference is worth: 1/2 over 3/4 (``STANDARD_ERROR``)."""
 BLOCKS = 20
 """Number of blocks of a long session for the jackknife error of the spreads."""
 OF_FEW = 1.07
@@ -198,17 +193,14 @@ def mean_of(values: Floats, mixed: Mixture) -> Floats:
 
 
 FEWEST = 6
-"""Minimum number of shots for an estimate: with six, a spread is within a factor of two in 19 of 20 sessions, exp(1.96
-sqrt(3/4 / 6)) = 2.0."""
+"""Minimum number of shots: in 19 of 20 sessions a spread is then within a factor exp(1.96 sqrt(3/4 / 6)) = 2.0."""
 CONDITION = 1e6
 """Condition number of the scaled differences above which one quantity follows from the others."""
 ZIGZAG = 3.5
-"""Number of standard deviations above 1 of von Neumann's ratio that shows rows are not in the order of play. For n
-independent shots, half the mean squared successive difference over the variance is 1 within 1/sqrt(n) (von Neumann,
-1941)."""
+"""Number of standard deviations above 1 of von Neumann's ratio (1 within 1/sqrt(n) for n independent shots) that shows
+rows are not in the order of play."""
 SORTED = 8
-"""Number of different values for which a column that only rises or only falls proves the rows are sorted; by chance 1
-in 20,000 does."""
+"""Number of different values for which a column that only rises or falls shows sorted rows; by chance 1 in 20,000."""
 
 
 class Estimate(NamedTuple):
@@ -472,15 +464,11 @@ LEAST = 0.01
 
 
 class FigureEffect(NamedTuple):
-    """Effect of a smaller and a larger figure on the spread of the landings.
+    """Effect of a smaller and a larger figure on the spread of the landings."""
 
-    ``figure`` is named as in :meth:`Golfer.source` and ``assumed`` if it has no published or measured source;
-    ``spread`` is the standard deviation [m] of each of ``QUANTITIES`` with it smaller and larger.
-    """
-
-    figure: str
-    assumed: bool
-    spread: dict[str, tuple[float, float]]
+    figure: str  # as in :meth:`Golfer.source`
+    assumed: bool  # without published or measured source
+    spread: dict[str, tuple[float, float]]  # standard deviation of ``QUANTITIES`` [m]: smaller and larger figure
 
 
 class SpreadSensitivity(NamedTuple):

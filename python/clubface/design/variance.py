@@ -7,8 +7,8 @@ adds to the others', averaged over all orders in which variables can be added. T
 
 Mishits are left out, since a mishit deviates in all variables at once.
 
-By derivatives, the spread follows from a second-order Taylor series. With gradient g and Hessian H at the mean
-delivery, and the covariance C without mishits, a quantity f of normally distributed deliveries has
+By derivatives, with gradient g and Hessian H at the mean delivery and the covariance C without mishits, a quantity f of
+normally distributed deliveries has
 
     mean = f + tr(H C) / 2,    variance = g' C g + tr(H C H C) / 2,
 

@@ -6,8 +6,8 @@ crown. ``club_offset`` and ``club_height`` describe the head as it passes the ba
 read; neither are swing plane and speed after impact. A shot is complete when the device says so, when no event has
 arrived for some seconds, or when the connection ends.
 
-clubface is the controller. It connects to devices and bridges that listen, as most do, and accepts connections from the
-others. Web pages are refused; otherwise any page open in a browser could send fake shots.
+clubface, the controller, connects to devices and bridges that listen, as most do, and accepts connections from the
+others. Web pages are refused, since any page open in a browser could send fake shots.
 """
 
 from __future__ import annotations

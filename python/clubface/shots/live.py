@@ -1,8 +1,7 @@
 """Live shots: each is written to disk before it is shown, so that a killed server resumes with all of them.
 
 A file of live shots has one JSON object per line: a shot as received, in SI units, or the player's choice of club and
-hand for the following shots. A line cut off when a process died was never acknowledged; the next process removes it and
-nothing else.
+hand for the following shots. The next process removes only a line cut off when a process died: it was not acknowledged.
 """
 
 from __future__ import annotations

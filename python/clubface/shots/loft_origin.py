@@ -7,10 +7,9 @@ impact model.
 
 The shots decide, not the brand. With one ratio for all shots of a club, the ball data imply an angle between face
 normal and launch direction of arcsin(I w / (m R v ratio)). Computed angles scatter about it only by the rounding in the
-file. Measured angles scatter far more, by monitor errors (0.2 degrees in launch angle, some tenths in loft) and by real
-differences between shots that no single ratio describes. The benchmark shots scatter by 1.1 degrees with the driver and
-0.8 with the 7-iron. 7773 public TrackMan drives scatter by less than 0.001 degrees, or by 0.07 to 0.13 degrees if face
-angle and start direction are ignored.
+file, such as 7773 public TrackMan drives by less than 0.001 degrees (0.07 to 0.13 if face angle and start direction are
+ignored). Measured angles scatter far more, by monitor errors and by real differences between shots: those of the
+benchmark shots by 1.1 degrees with the driver and 0.8 with the 7-iron.
 """
 
 from __future__ import annotations

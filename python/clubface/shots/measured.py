@@ -1,8 +1,7 @@
 """Recorded shots prepared for models: one club, complete rows, and notes on what was assumed.
 
-Every command that works with shots of one club goes through here. Shots are read and selected, the club is checked by
-its name in the file and by dynamic loft, stated values replace missing ones, and club data measured at other points of
-the club are converted to clubface's reference points.
+Shots are read and selected, the club is checked by its name in the file and by dynamic loft, stated values replace
+missing ones, and club data measured at other points of the club are converted to clubface's reference points.
 """
 
 from __future__ import annotations

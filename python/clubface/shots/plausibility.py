@@ -1,8 +1,7 @@
 """Plausibility of measured values: an impossible one means "not measured" or is an error.
 
-Launch monitor programs write many things for missing values: the smallest or largest integer, -999, a negative ratio.
-They do not document which, so values are judged by what a golf shot can have. The limits are wide and do not judge the
-player.
+Launch monitor programs write undocumented placeholders for missing values (the smallest or largest integer, -999, a
+negative ratio), so values are judged by what a golf shot can have, with limits wide enough for any player.
 
 Impossible values are the strongest sign of a wrong unit. So are quantities that contradict each other in most shots: a
 ball faster than any club can hit it, or a carry longer than any ball of that speed can fly. If another unit would give
@@ -63,12 +62,9 @@ RANGES: Mapping[str, tuple[float, float]] = {
 TURNING = ("azimuth", "spin_axis")
 """Directions that some programs give from 0 to 360 degrees: 352.5 degrees is -7.5."""
 RATIOS: Mapping[str, float] = {"driver": 1.6, "wood": 1.6, "hybrid": 1.6, "iron": 1.55, "wedge": 1.4, "putter": 1.8}
-"""Largest possible smash factor, by kind of club.
-
-A free head of mass M gives a ball of mass m a speed of (1 + e) M / (M + m) cos(loft) times its own. A driver (200 g, e
-up to 0.86 with the tolerance of the rules) reaches 1.51, a long iron 1.48, a wedge delivered with 38 degrees 1.22, a
-putter (350 g, e 0.85) 1.64. 5 to 10% are added for the errors of both speeds.
-"""
+"""Largest possible smash factor, by kind of club: (1 + e) M / (M + m) cos(loft) for a free head of mass M, 1.51 for a
+driver (200 g, e up to 0.86 with the tolerance of the rules), 1.48 for a long iron, 1.22 for a wedge delivered with 38
+degrees, 1.64 for a putter (350 g, e 0.85), plus 5 to 10% for the errors of both speeds."""
 MOST_RATIO, MOST_PUTTED = RATIOS["driver"], RATIOS["putter"]
 PUTTED = 12.0
 """Ball speed [m/s] below which an unnamed club may be a putter."""
@@ -303,8 +299,7 @@ def without_sentinels(
 ) -> tuple[dict[str, Floats], list[Note]]:
     """Return columns [SI] without sentinels that could pass for measurements, and a note on each.
 
-    ``units`` gives the unit of each quantity in the file. Impossible sentinels are left to
-    :func:`clubface.shots.plausibility.without_impossible`.
+    Impossible sentinels are left to :func:`without_impossible`.
     """
     kept, notes = dict(columns), []
     for name in (each for each in (*NEVER, FACE_TO_PATH) if each in columns and each in units):

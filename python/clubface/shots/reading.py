@@ -74,8 +74,7 @@ def detected(path: str, head: Sequence[Row | Reject]) -> Format:
 def asked_for(layout: Format, head: Sequence[Row | Reject]) -> Format:
     """Return the requested layout, adapted to the columns of the file.
 
-    The header is the row with most of the layout's columns, and at least two of them; otherwise the layout is returned
-    unchanged.
+    The header is the row with most of the layout's columns; without two of them the layout is returned unchanged.
     """
     rows = [row[0] for row in head if not isinstance(row, Reject)]
     header = max(rows, key=lambda cells: _known_headings(layout, cells), default=())

@@ -1,7 +1,7 @@
 """Shots one by one as a result: measured values, computed values for the rest, and flight paths.
 
-Computed values fill in what the monitor did not measure, and are listed in each row: launches are computed from club
-data by the model, flights from launches in still air. Measured values are never replaced.
+Computed values fill in what the monitor did not measure, and are named in each row: launches from club data by the
+model, flights from launches in still air.
 """
 
 from __future__ import annotations

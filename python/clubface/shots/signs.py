@@ -31,15 +31,11 @@ _ACROSS = ("azimuth", "sidespin", "spin_axis", "face", "path")
 
 
 class SignRule(NamedTuple):
-    """How a launch quantity depends on delivery quantities.
-
-    ``signs`` holds the sign of its slope over each delivery quantity, or 0 if the sign differs from club to club and
-    the quantity is only accounted for; the ``needed`` ones must have been measured.
-    """
+    """How a launch quantity depends on delivery quantities."""
 
     launch: str
-    signs: Mapping[str, int]
-    needed: tuple[str, ...]
+    signs: Mapping[str, int]  # of its slopes; 0 where they differ from club to club
+    needed: tuple[str, ...]  # must have been measured
 
 
 RULES = (

@@ -1,8 +1,7 @@
 """Advice: which of several alternatives a golfer should play, by objective, and which differences are worth a change.
 
-Fittings, optimisations and loft fits all ask the same question of the same numbers: is an alternative better than the
-present one by at least the smallest difference worth a change? They present the answer in the same sentences, tables
-and panel.
+Fittings, optimisations and loft fits all ask whether an alternative is better than the present one by at least the
+smallest difference worth a change, and present the answer in the same sentences, tables and panel.
 """
 
 from __future__ import annotations

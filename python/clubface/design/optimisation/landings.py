@@ -182,30 +182,24 @@ class Landings:
 
 SHARE = 0.9
 """Share of normally distributed shots inside the landing ellipse."""
-
 FINE, ROUGH = 1e-8, 1e-6
-"""Relative precision of smooth objectives, apart from noise of 1e-9 from flight steps, and of those with kinks: strokes
-are piecewise linear in distance, and a bouncing ball may begin to slide."""
+"""Relative precision of smooth objectives (flight steps add noise of 1e-9), and of those with kinks: strokes are
+piecewise linear in distance, and a bouncing ball may begin to slide."""
 
 Judgement = tuple[float, Floats]
 """A value and its derivatives with respect to every landing, in the shape of the landings."""
 
 
 class Objective(NamedTuple):
-    """A quantity to optimise, computed from landings [m] with the rows ``LANDING``.
-
-    ``sign`` is -1 if more is better and +1 if less is; ``judge`` returns the value and its derivatives with respect to
-    every landing; ``one_shot`` says whether it is defined for a single shot, and ``precision`` is the relative
-    precision of its optimum.
-    """
+    """A quantity to optimise, computed from landings [m] with the rows ``LANDING``."""
 
     name: str
     meaning: str
     unit: str
-    sign: float
+    sign: float  # -1 if more is better, +1 if less is
     judge: Callable[[Floats], Judgement]
-    one_shot: bool
-    precision: float = FINE
+    one_shot: bool  # whether it is defined for a single shot
+    precision: float = FINE  # of its optimum, relative
 
     @property
     def quantity(self) -> Quantity:

@@ -2,8 +2,7 @@
 
 Finished parts are kept in a store, if there is one, so that an interrupted run resumes. The Pareto front between two
 objectives is found by the epsilon-constraint method (Haimes, Lasdon and Wismer, 1971): one is optimised while the other
-is limited. Exact gradients and common shots make each point a smooth problem, which is solved from neighbouring points
-and from others.
+is limited.
 """
 
 from __future__ import annotations

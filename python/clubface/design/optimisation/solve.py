@@ -23,33 +23,24 @@ REMEMBERED = 4
 
 @dataclass(frozen=True)
 class State:
-    """Club and objectives at a point of the optimiser.
+    """Club and objectives at a point of the optimiser."""
 
-    ``club`` holds the variable club fields [SI] and ``judged`` the objectives in use, averaged over the golfers.
-    ``slopes`` and ``gradients`` are their derivatives with respect to the optimiser's variables, each of shape
-    (variables,); ``gradients`` is empty unless requested.
-    """
-
-    club: Mapping[str, float]
-    slopes: Mapping[str, Floats]
-    judged: Mapping[str, float]
-    gradients: Mapping[str, Floats]
+    club: Mapping[str, float]  # its variable fields [SI]
+    slopes: Mapping[str, Floats]  # derivatives of the fields with respect to the variables, each of shape (variables,)
+    judged: Mapping[str, float]  # the objectives in use, averaged over the golfers
+    gradients: Mapping[str, Floats]  # derivatives of the objectives; empty unless requested
 
 
 @dataclass(frozen=True, kw_only=True)
 class RangeLimit:
-    """A range [SI] for a club field or an objective; an end without a limit is infinite.
+    """A range [SI] for a club field or an objective; an end without a limit is infinite."""
 
-    ``name`` is the limit's name in reports and ``limited`` the field or objective. Margins are divided by ``size`` [SI]
-    or, by default, by the size of the limit.
-    """
-
-    name: str
-    limited: str
+    name: str  # in reports
+    limited: str  # the field or objective
     least: float
     most: float
     unit: str
-    size: float | None = None
+    size: float | None = None  # by which margins are divided [SI]; default the size of the limit
 
     def margins(self, state: State) -> Floats:
         """Return the scaled distance from each limit."""
@@ -228,26 +219,21 @@ SLACK = 1e-6
 """Safety margin during the solution, so that the solver's rounding breaks no limit."""
 MOST_STEPS = 200
 PATIENCE = 6
-"""Steps without progress after which the solver stops: expected strokes have kinks, as when a ball ends in another lie,
-and are smooth only to about 1e-6."""
+"""Steps without progress after which the solver stops: expected strokes are smooth only to about 1e-6."""
 PENALTIES = (0.03, 0.3, 3.0)
 """Weights of a broken limit, relative to the starting cost, with which progress is measured."""
 ALIKE = 1e-4
 """Relative difference in cost below which two optima count as the same."""
 REFUSED = 10.0
-"""Cost, relative to the starting cost, of a club whose shots cannot be computed, which makes a line search turn
-back."""
+"""Relative cost of a club whose shots cannot be computed, so that a line search turns back."""
 
 
 class Solution(NamedTuple):
-    """Final point, cost, steps and message of the solver.
-
-    ``cost`` is the objective with the sign for minimisation; ``least_margin`` is negative if a limit is broken.
-    """
+    """Final point, cost, steps and message of the solver."""
 
     point: Floats
-    cost: float
-    least_margin: float
+    cost: float  # the objective with the sign for minimisation
+    least_margin: float  # negative if a limit is broken
     steps: int
     message: str
 

@@ -149,10 +149,8 @@ class DesignStudy(AdvisedStudy):
         Golfers with weights.
     objectives
         Names of one objective, or of two for a Pareto front.
-    bounds
-        Lower and upper bound of every variable field [SI].
-    distributed
-        Whether the whole mass distribution is free.
+    bounds, distributed
+        Lower and upper bound of every variable field [SI], and whether the whole mass distribution is free.
     head
         Limits on the head; needed if a mass property changes.
     limits

@@ -6,9 +6,8 @@ coordinates with the origin at the centre of the volume and its surface at 1, th
 of a matrix C, where C C' are the central second moments. Its pseudo-inertia is then always positive semidefinite, and
 belongs to a body in an ellipsoid if the squares of the nine sum to at most 1.
 
-Point masses with the moments of the discretionary mass are found by linear programming on a grid of places. The best
-head often needs mass between grid points, exactly on the surface, so the grid is refined repeatedly around the places
-in use.
+Point masses with the moments of the discretionary mass are found by linear programming on a grid of places, which is
+refined repeatedly around the places in use: the best head often needs mass exactly on the surface.
 """
 
 from __future__ import annotations

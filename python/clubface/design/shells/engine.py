@@ -2,8 +2,8 @@
 
 The fast model combines the rigid head of a coarse mesh with a clamped circular plate of the face's area (Timoshenko and
 Woinowsky-Krieger 1959, section 19). The plate's stiffness under a central force gives the characteristic time, which
-the model `response` turns into a launch. On its own the plate is a poor face, since the sphere also moves body and
-edge; what matters is how it changes with the walls.
+the model `response` turns into a launch. The plate alone is a poor face, since the sphere also moves body and edge, but
+changes with the walls as a face does.
 """
 
 from __future__ import annotations

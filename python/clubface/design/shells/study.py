@@ -219,16 +219,13 @@ class ShellStudy(_Asked):
         One of :data:`OBJECTIVES`.
     delivery
         Delivery for ball speed and carry, which are averaged over its points.
-    hardest
-        The hardest impact the face must withstand; None to ignore stress.
+    hardest, safety
+        The hardest impact the face must withstand (None to ignore stress), and factor that divides the yield stress.
     metals
         Metals to choose from, for a mesh by group; if empty, the head keeps its own.
-    safety
-        Factor by which the yield stress is divided.
-    limits
-        Lower and upper limit [SI] of each of :data:`QUANTITIES`; 0 and infinity for none.
-    rules
-        Whether the limits of the rules of golf, with their tolerances, apply as well.
+    limits, rules
+        Lower and upper limit [SI] of each of :data:`QUANTITIES`, 0 and infinity for none; whether the limits of the
+        rules of golf, with their tolerances, apply as well.
     ball
         The finite element ball.
     designs

@@ -35,10 +35,8 @@ NUMBER = re.compile(
     r"\s*+(?P<rest>\D*+)",
     re.IGNORECASE,
 )
-"""A number, possibly with separated thousands, with words before and after it for side and unit.
-
-It does not backtrack (``++``): a cell of 40,000 commas and a digit would otherwise be tried in a billion ways.
-"""
+"""A number, possibly with separated thousands, with words before and after it for side and unit; it does not backtrack
+(``++``), as a cell of 40,000 commas and a digit would be tried in a billion ways."""
 _APART = re.compile(r"[-+]?\d{1,3}(?:[\s'’ʼ]\d{3})+(?:[.,]\d*)?")
 """A number with thousands separated by spaces or apostrophes, which have no other meaning."""
 THOUSANDS = {

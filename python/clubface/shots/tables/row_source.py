@@ -64,10 +64,8 @@ _EVERYDAY: Mapping[str, re.Pattern[str]] = {
     "cp1252": _LATIN,
     "mac_roman": _LATIN,
 }
-"""Characters typical of tables of golf shots, by encoding; a wrong encoding gives other characters.
-
-If several encodings fit equally well, the first counts, as two-byte characters do not form everyday words by accident.
-"""
+"""Characters typical of tables of golf shots, by encoding; a wrong encoding gives other characters. Of several that fit
+equally well the first counts, as two-byte characters do not form everyday words by accident."""
 LARGEST_CHUNK = 64_000_000
 """Number of characters after which a chunk ends early, so that long rows do not fill the memory."""
 
