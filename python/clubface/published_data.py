@@ -177,8 +177,7 @@ def _columns(heads: Sequence[str], rows: Sequence[Sequence[Any]]) -> tuple[dict[
             columns[name] = np.array([_word(cell, f"{name} in row {number}") for number, cell in enumerate(cells, 1)])
         else:
             values = [_number(cell, f"{name} in row {number}", symbol) for number, cell in enumerate(cells, 1)]
-            unit = units.unit(symbol)
-            columns[name] = np.array(values) * unit.numerator / unit.denominator + unit.offset
+            columns[name] = units.to_si(np.array(values), symbol)
             printed[name] = symbol
         columns[name].setflags(write=False)  # tables are read once and shared
     return columns, printed

@@ -48,25 +48,15 @@ BASE_UNITS = {
 
 
 class Variable(NamedTuple):
-    """A variable of the co-simulation unit.
-
-    Attributes
-    ----------
-    kind
-        "Real", "Integer" or "Boolean".
-    causality
-        "input", "parameter" or "output".
-    bounds
-        Minimum and maximum, or None.
-    """
+    """A variable of the co-simulation unit."""
 
     name: str
     unit: str
     meaning: str
-    causality: str
+    causality: str  # "input", "parameter" or "output"
     start: float = 0.0
-    kind: str = "Real"
-    bounds: tuple[float, float] | None = None
+    kind: str = "Real"  # or "Integer" or "Boolean"
+    bounds: tuple[float, float] | None = None  # minimum and maximum
 
 
 def write_fmu(
@@ -197,16 +187,19 @@ def _outputs() -> Iterator[Variable]:
         yield Variable(f"launched_{name}", each.unit, f"{each.meaning}; 0 before the launch", "output")
 
 
-def _root(version: str, **attributes: str) -> ElementTree.Element:
-    return ElementTree.Element("fmiModelDescription", {"fmiVersion": version, **attributes})
-
-
-def _units(root: ElementTree.Element, variables: tuple[Variable, ...]) -> None:
+def _description(name: str, title: str, variables: tuple[Variable, ...], **attributes: str) -> ElementTree.Element:
+    """Return the part of the description that both versions share, with an empty list of variables at its end."""
+    common = {"modelName": name, "description": title, "generationTool": f"clubface {__version__}"}
+    root = ElementTree.Element("fmiModelDescription", attributes | common | {"variableNamingConvention": "flat"})
+    ElementTree.SubElement(root, "CoSimulation", modelIdentifier=name, canHandleVariableCommunicationStepSize="true")
     definitions = ElementTree.SubElement(root, "UnitDefinitions")
-    for name in dict.fromkeys(each.unit for each in variables if each.unit != "1"):
-        unit = ElementTree.SubElement(definitions, "Unit", name=name)
-        if name in BASE_UNITS:
-            ElementTree.SubElement(unit, "BaseUnit", {base: str(power) for base, power in BASE_UNITS[name].items()})
+    for symbol in dict.fromkeys(each.unit for each in variables if each.unit != "1"):
+        unit = ElementTree.SubElement(definitions, "Unit", name=symbol)
+        if symbol in BASE_UNITS:
+            ElementTree.SubElement(unit, "BaseUnit", {base: str(power) for base, power in BASE_UNITS[symbol].items()})
+    ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stopTime=repr(STOP), stepSize=repr(STEP))
+    ElementTree.SubElement(root, "ModelVariables")
+    return root
 
 
 def _text(root: ElementTree.Element) -> bytes:
@@ -240,14 +233,9 @@ def _type_attributes(each: Variable) -> dict[str, str]:
 
 
 def _description_2(name: str, token: str, title: str, variables: tuple[Variable, ...]) -> bytes:
-    root = _root(
-        "2.0", modelName=name, guid=f"{{{token}}}", description=title, generationTool=f"clubface {__version__}",
-        variableNamingConvention="flat", numberOfEventIndicators="0",
-    )  # fmt: skip
-    ElementTree.SubElement(root, "CoSimulation", modelIdentifier=name, canHandleVariableCommunicationStepSize="true")
-    _units(root, variables)
-    _experiment(root)
-    listed = ElementTree.SubElement(root, "ModelVariables")
+    head = {"fmiVersion": "2.0", "guid": f"{{{token}}}", "numberOfEventIndicators": "0"}
+    root = _description(name, title, variables, **head)
+    listed = root[-1]
     for reference, each in enumerate(variables, 1):
         initial = {"parameter": {"initial": "exact"}, "output": {"initial": "calculated"}}.get(each.causality, {})
         scalar = ElementTree.SubElement(listed, "ScalarVariable", _attributes(each, reference) | initial)
@@ -262,14 +250,8 @@ def _description_2(name: str, token: str, title: str, variables: tuple[Variable,
 
 
 def _description_3(name: str, token: str, title: str, variables: tuple[Variable, ...]) -> bytes:
-    root = _root(
-        "3.0", modelName=name, instantiationToken=f"{{{token}}}", description=title,
-        generationTool=f"clubface {__version__}", variableNamingConvention="flat",
-    )  # fmt: skip
-    ElementTree.SubElement(root, "CoSimulation", modelIdentifier=name, canHandleVariableCommunicationStepSize="true")
-    _units(root, variables)
-    _experiment(root)
-    listed = ElementTree.SubElement(root, "ModelVariables")
+    root = _description(name, title, variables, fmiVersion="3.0", instantiationToken=f"{{{token}}}")
+    listed = root[-1]
     time = {"name": "time", "valueReference": "0", "causality": "independent", "variability": "continuous"}
     ElementTree.SubElement(listed, "Float64", time | {"description": "time of the master"})
     kinds = {"Real": "Float64", "Integer": "Int32", "Boolean": "Boolean"}
@@ -284,7 +266,3 @@ def _description_3(name: str, token: str, title: str, variables: tuple[Variable,
             if each.causality == "output":
                 ElementTree.SubElement(structure, part, valueReference=str(reference))
     return _text(root)
-
-
-def _experiment(root: ElementTree.Element) -> None:
-    ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stopTime=repr(STOP), stepSize=repr(STEP))

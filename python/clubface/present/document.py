@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from clubface.errors import LINES, InputError, legible
+from clubface.present.terminal import column_blocks
 from clubface.support.files import write_text
 
 
@@ -216,7 +217,7 @@ def _html_table(table: TextTable) -> str:
     """
     texts = [any(len(row[place]) > NUMBER for row in table.rows) for place in range(len(table.headings))]
     widths = [_width(table, place, text=text) for place, text in enumerate(texts)]
-    parts = _parts(widths)
+    parts = column_blocks(widths, 0.0, PAPER / SMALLEST)
 
     def rows_of(places: Sequence[int]) -> str:
         def row(cells: Sequence[str], tag: str) -> str:
@@ -247,19 +248,6 @@ def _width(table: TextTable, place: int, *, text: bool) -> float:
     letters = max(map(len, table.headings[place].split()), default=1)
     cells = max((len(row[place]) for row in table.rows), default=1)
     return LETTER * max(letters, min(cells, NUMBER) if text else cells) + GAP
-
-
-def _parts(widths: Sequence[float]) -> list[list[int]]:
-    """Return groups of columns that fit on a page, each starting with the first column."""
-    most = PAPER / SMALLEST
-    parts, room = [[0]], most - widths[0]
-    for place, width in enumerate(widths[1:], 1):
-        if width > room and len(parts[-1]) > 1:
-            parts.append([0])
-            room = most - widths[0]
-        parts[-1].append(place)
-        room -= width
-    return parts
 
 
 def _markdown(block: Block) -> str:

@@ -182,13 +182,9 @@ def picture_data(picture: Picture) -> tuple[list[str], list[list[Any]]]:
 
 def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
     """Yield x, y, low, high and value of every point of a mark, in the units of the axes."""
-    along_x = mark.x0 is not None
-    parts = [
-        _scale(mark.x, panel.x), _scale(mark.y, panel.y),
-        *(_scale(each, panel.x if along_x else panel.y) for each in
-          ((mark.x0, mark.x1) if along_x else (mark.y0, mark.y1))),
-        None if mark.values is None else _scale(mark.values, panel.values or Axis()),
-    ]  # fmt: skip
+    mark = _scaled(mark, panel)
+    low, high = (mark.y0, mark.y1) if mark.x0 is None else (mark.x0, mark.x1)
+    parts = [mark.x, mark.y, low, high, mark.values]
     if mark.kind == "contour":
         x, y = np.meshgrid(parts[0], parts[1])
         parts[0], parts[1] = x, y
@@ -196,6 +192,13 @@ def _points(mark: Mark, panel: Panel) -> Iterator[list[Any]]:
     length = max((each.size for each in arrays if each is not None), default=0)
     for index in range(length):
         yield [None if each is None or index >= each.size else each[index].item() for each in arrays]
+
+
+def _scaled(mark: Mark, panel: Panel) -> Mark:
+    """Return a mark with its numbers in the units in which the axes of its panel are drawn."""
+    axes = {"x": panel.x, "y": panel.y, "values": panel.values or Axis()}
+    names = ("x", "x0", "x1", "y", "y0", "y1", "values")
+    return replace(mark, **{name: _scale(getattr(mark, name), axes[name.rstrip("01")]) for name in names})
 
 
 def _scale(values: Any, axis: Axis) -> Any:
@@ -211,7 +214,7 @@ def _draw_panel(axes: Axes, panel: Panel) -> Any:
     axes.grid(visible=panel.grid)
     floor: dict[str, Any] = {}
     for mark in panel.marks:
-        _DRAWERS[mark.kind](axes, panel, mark, floor)
+        _DRAWERS[mark.kind](axes, panel, _scaled(mark, panel), floor)
     for axis, setter in ((panel.x, "x"), (panel.y, "y")):
         _set_axis(axes, axis, setter)
     if panel.aspect is not None:
@@ -305,65 +308,55 @@ def _point_look(mark: Mark) -> dict[str, Any]:
 
 
 def _line(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.plot(_scale(mark.x, panel.x), _scale(mark.y, panel.y), label=mark.label or None, **_line_look(mark))
+    axes.plot(mark.x, mark.y, label=mark.label or None, **_line_look(mark))
 
 
 def _draw_points(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     if mark.values is not None:
         extent = _extent(mark, panel)
-        shown = axes.scatter(
-            x, y, c=_scale(mark.values, panel.values or Axis()), s=mark.size or 9.0, linewidths=0, **extent
-        )
-        floor["coloured"] = shown
+        floor["coloured"] = axes.scatter(mark.x, mark.y, c=mark.values, s=mark.size or 9.0, linewidths=0, **extent)
         return
-    axes.plot(x, y, label=mark.label or None, rasterized=np.size(x) > 500, **_point_look(mark))
-    for at, up, words in zip(np.ravel(x), np.ravel(y), mark.texts, strict=False):
+    axes.plot(mark.x, mark.y, label=mark.label or None, rasterized=np.size(mark.x) > 500, **_point_look(mark))
+    for at, up, words in zip(np.ravel(mark.x), np.ravel(mark.y), mark.texts, strict=False):
         axes.annotate(words, (at, up), (3.0, 3.0), textcoords="offset points", fontsize=7.0)
 
 
 def _bars(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    y = _scale(mark.y, panel.y)
-    left = 0.0 if mark.x0 is None else _scale(mark.x0, panel.x)
-    height = mark.size or 0.7
-    bars = axes.barh(y, _scale(mark.x, panel.x) - left, left=left, height=height, color=_colour(mark),
+    left = 0.0 if mark.x0 is None else mark.x0
+    bars = axes.barh(mark.y, mark.x - left, left=left, height=mark.size or 0.7, color=_colour(mark),
                      alpha=0.6 if mark.faint else 1.0, linewidth=0.0, label=mark.label or None)  # fmt: skip
     if mark.texts:
         axes.bar_label(bars, mark.texts, padding=2.0, fontsize=7.0)
 
 
 def _intervals(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
     errors: dict[str, Any] = {}
-    for name, centre, low, high, axis in (
-        ("xerr", x, mark.x0, mark.x1, panel.x), ("yerr", y, mark.y0, mark.y1, panel.y),
-    ):  # fmt: skip
+    for name, centre, low, high in (("xerr", mark.x, mark.x0, mark.x1), ("yerr", mark.y, mark.y0, mark.y1)):
         if low is not None:
-            errors[name] = np.abs([centre - _scale(low, axis), _scale(high, axis) - centre])
+            errors[name] = np.abs([centre - low, high - centre])
     appearance = _point_look(mark) if mark.symbol else {"fmt": "none", "ecolor": _colour(mark)}
-    axes.errorbar(x, y, capsize=2.0, elinewidth=0.8, label=mark.label or None, **appearance, **errors)
+    axes.errorbar(mark.x, mark.y, capsize=2.0, elinewidth=0.8, label=mark.label or None, **appearance, **errors)
 
 
 def _band(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.fill_between(_scale(mark.x, panel.x), _scale(mark.y0, panel.y), _scale(mark.y1, panel.y), color=_colour(mark),
-                      alpha=0.25, linewidth=0.0, label=mark.label or None)  # fmt: skip
+    look = {"color": _colour(mark), "alpha": 0.25, "linewidth": 0.0}
+    axes.fill_between(mark.x, mark.y0, mark.y1, label=mark.label or None, **look)
 
 
 def _area(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.fill(_scale(mark.x, panel.x), _scale(mark.y, panel.y), color=_colour(mark), alpha=0.3 if mark.faint else 0.75,
-              linewidth=0.0, label=mark.label or None)  # fmt: skip
+    look = {"color": _colour(mark), "alpha": 0.3 if mark.faint else 0.75, "linewidth": 0.0}
+    axes.fill(mark.x, mark.y, label=mark.label or None, **look)
 
 
 def _stack(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
-    below = floor.get("stack", np.zeros_like(y))
-    axes.fill_between(x, below, below + y, color=_colour(mark), alpha=0.75, linewidth=0.0, label=mark.label or None)
-    floor["stack"] = below + y
+    below = floor.get("stack", np.zeros_like(mark.y))
+    floor["stack"] = below + mark.y
+    look = {"color": _colour(mark), "alpha": 0.75, "linewidth": 0.0}
+    axes.fill_between(mark.x, below, floor["stack"], label=mark.label or None, **look)
 
 
 def _steps(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    axes.stairs(_scale(mark.y, panel.y), _scale(mark.x, panel.x), fill=True, color=_colour(mark), alpha=0.6,
-                label=mark.label or None)  # fmt: skip
+    axes.stairs(mark.y, mark.x, fill=True, color=_colour(mark), alpha=0.6, label=mark.label or None)
 
 
 def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
@@ -373,10 +366,9 @@ def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> Non
         low, high = low - 0.5, high + 0.5
     levels = MaxNLocator(11).tick_values(low, high)
     extent = _extent(mark, panel, (levels[0], levels[-1]))
-    values = np.ma.masked_invalid(np.clip(_scale(mark.values, panel.values or Axis()), levels[0], levels[-1]))
-    x, y = _scale(mark.x, panel.x), _scale(mark.y, panel.y)
-    shown = axes.contourf(x, y, values, levels=levels, **extent)
-    lines = axes.contour(x, y, values, levels=levels[1:-1], colors="0.15", linewidths=0.4)
+    values = np.ma.masked_invalid(np.clip(mark.values, levels[0], levels[-1]))
+    shown = axes.contourf(mark.x, mark.y, values, levels=levels, **extent)
+    lines = axes.contour(mark.x, mark.y, values, levels=levels[1:-1], colors="0.15", linewidths=0.4)
     if mark.within is not None:
         corners = np.asarray(mark.within)
         points = np.column_stack([_scale(corners[:, 0], panel.x), _scale(corners[:, 1], panel.y)])
@@ -388,43 +380,36 @@ def _contour(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> Non
 
 
 def _cells(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    corners = np.stack([_scale(mark.x, panel.x), _scale(mark.y, panel.y)], axis=-1)
+    corners = np.stack([mark.x, mark.y], axis=-1)
     if mark.values is None:
-        shown = PolyCollection(list(corners), facecolors=_colour(mark), edgecolors="0.35", linewidths=0.25)
-        axes.add_collection(shown)
+        fill: dict[str, Any] = {"facecolors": _colour(mark)}
     else:
         extent = _extent(mark, panel)
-        shown = PolyCollection(list(corners), array=np.ravel(_scale(mark.values, panel.values or Axis())),
-                               cmap=extent["cmap"], edgecolors="0.35", linewidths=0.25)  # fmt: skip
-        shown.set_clim(extent["vmin"], extent["vmax"])
-        axes.add_collection(shown)
+        fill = {"array": np.ravel(mark.values), "cmap": extent["cmap"], "clim": (extent["vmin"], extent["vmax"])}
+    shown = axes.add_collection(PolyCollection(list(corners), edgecolors="0.35", linewidths=0.25, **fill))
+    if mark.values is not None:
         floor["coloured"] = shown
     axes.autoscale_view()
 
 
 def _outline(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    points = np.column_stack([_scale(mark.x, panel.x), _scale(mark.y, panel.y)])
     shape = {key: each for key, each in _line_look(mark).items() if key != "color"}
-    axes.add_patch(Polygon(points, fill=False, edgecolor=_colour(mark), label=mark.label or None, **shape))
+    corners = np.column_stack([mark.x, mark.y])
+    axes.add_patch(Polygon(corners, fill=False, edgecolor=_colour(mark), label=mark.label or None, **shape))
     axes.autoscale_view()
 
 
 def _rule(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    appearance = {
-        "color": _colour(mark),
-        "linewidth": mark.size or 0.7,
-        "linestyle": DASHES[mark.dash or 0],
-        "zorder": 1,
-    }
-    for each in np.atleast_1d(_scale(mark.x, panel.x)) if mark.x is not None else ():
-        axes.axvline(float(each), **appearance)
-    for each in np.atleast_1d(_scale(mark.y, panel.y)) if mark.y is not None else ():
-        axes.axhline(float(each), **appearance)
+    thin = {"color": _colour(mark), "linewidth": mark.size or 0.7, "linestyle": DASHES[mark.dash or 0], "zorder": 1}
+    for each in np.atleast_1d(mark.x) if mark.x is not None else ():
+        axes.axvline(float(each), **thin)
+    for each in np.atleast_1d(mark.y) if mark.y is not None else ():
+        axes.axhline(float(each), **thin)
 
 
 def _slope(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    place = float(_scale(mark.x, panel.x)), float(_scale(mark.y, panel.y))
-    axes.axline(place, slope=float(mark.values), color=_colour(mark), linewidth=0.8, linestyle=DASHES[mark.dash or 0])
+    thin = {"color": _colour(mark), "linewidth": 0.8, "linestyle": DASHES[mark.dash or 0]}
+    axes.axline((float(mark.x), float(mark.y)), slope=float(mark.values), **thin)
 
 
 def _text(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
@@ -434,21 +419,17 @@ def _text(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
         axes.text(0.5, 0.5, "\n".join(mark.texts), transform=axes.transAxes, ha="center", va="center",
                   fontsize=mark.size or 7.5)  # fmt: skip
         return
-    for at, up, words in zip(
-        np.ravel(_scale(mark.x, panel.x)), np.ravel(_scale(mark.y, panel.y)), mark.texts, strict=True
-    ):
+    for at, up, words in zip(np.ravel(mark.x), np.ravel(mark.y), mark.texts, strict=True):
         axes.text(float(at), float(up), words, ha="center", va="center", color=_colour(mark), fontsize=mark.size or 7.0)
 
 
 def _shade(axes: Axes, panel: Panel, mark: Mark, floor: dict[str, Any]) -> None:
-    ends = (float(_scale(each, panel.x)) for each in (mark.x0, mark.x1))
-    axes.axvspan(*ends, color="0.80", zorder=0, linewidth=0.0)
+    axes.axvspan(float(mark.x0), float(mark.x1), color="0.80", zorder=0, linewidth=0.0)
 
 
 def _ends(mark: Mark, panel: Panel) -> tuple[float, float]:
     """Return the smallest and the largest value of a mark, unless its value axis has limits."""
-    axis = panel.values or Axis()
-    values = np.asarray(_scale(mark.values, axis))
+    axis, values = panel.values or Axis(), mark.values
     low, high = (None if each is None else float(_scale(each, axis)) for each in axis.limits)
     finite = values[np.isfinite(values)]
     low = low if low is not None else float(finite.min(initial=np.inf) if finite.size else 0.0)

@@ -251,18 +251,9 @@ def write_folder(
     """Write a result to a folder, creating it if needed; return the files.
 
     The page (Markdown), JSON and the main table (CSV) are named after the kind of the result, the other tables and the
-    pictures (PNG and SVG) after themselves.
-
-    Parameters
-    ----------
-    units
-        Display units by quantity.
-    command
-        Command that computes the result again.
-    pages
-        File extensions of its pages; HTML pages contain the pictures.
-    tables
-        Additional tables, or replacements for tables of the result, by file name.
+    pictures (PNG and SVG) after themselves. ``units`` are display units by quantity, ``command`` computes the result
+    again, ``pages`` are the file extensions of its pages, of which HTML contains the pictures, and ``tables`` are
+    additional tables or replacements by file name.
     """
     from clubface.present.drawing import draw
     from clubface.present.style import save

@@ -40,16 +40,9 @@ def print_result(result: Result, units: Mapping[str, str] | None = None) -> None
 def as_text(
     result: Result, units: Mapping[str, str] | None = None, width: int | None = None, *, emphasis: bool = False
 ) -> str:
-    """Return a result as text for the terminal.
+    """Return a result as text for the terminal, with headings in bold if ``emphasis``.
 
-    Parameters
-    ----------
-    units
-        Display units by quantity. Default: those of the registry.
-    width
-        Width of the terminal [characters]; None for the full width of the tables.
-    emphasis
-        Whether headings are set in bold.
+    ``units`` are display units by quantity; ``width`` is that of the terminal [characters], or None.
     """
     parts = []
     if result.assumptions:
@@ -157,24 +150,11 @@ def lay_out(
     summary: bool = False,
     texts: set[int] | None = None,
 ) -> list[str]:
-    r"""Return the lines of a table; one that is too wide continues below, with its first column repeated.
+    """Return the lines of a table; one that is too wide continues below, with its first column repeated.
 
-    Parameters
-    ----------
-    heads
-        One heading per column; lines are separated by ``\n``.
-    rows
-        Cells as text; those of the first column are names.
-    title
-        Title printed above.
-    width
-        Width of the terminal [characters]; None for the full width of the table.
-    emphasis
-        Whether headings are set in bold.
-    summary
-        Whether the last row summarises the others and is set apart.
-    texts
-        Columns of words, which are aligned to the left and wrapped if the table is too wide.
+    Headings may have several lines; the cells of the first column are names. ``width`` and ``emphasis`` are as for
+    :func:`as_text`. A ``summary`` is a last row that is set apart. ``texts`` are columns of words, which are aligned to
+    the left and wrapped if the table is too wide.
     """
     body = [[legible(cell, "\n") for cell in row] for row in rows]
     heads = [legible(head, "\n") for head in heads]
@@ -184,7 +164,7 @@ def lay_out(
         max(len(line) for cell in column for line in cell.split("\n")) for column in zip(heads, *body, strict=True)
     ]
     gap = 2 if width is None or sum(widths) + 2 * (len(widths) - 1) <= width else 1
-    blocks = [list(range(len(heads)))] if width is None else _blocks(widths, gap, width)
+    blocks = [list(range(len(heads)))] if width is None else column_blocks(widths, gap, width)
     lines = [_bold(line, emphasis) for line in textwrap.wrap(legible(title), width or WIDEST)]
     for columns in blocks:
         sizes = [widths[index] for index in columns]
@@ -270,7 +250,7 @@ def _align_row(cells: Sequence[str], widths: Sequence[int], gap: int, left: Sequ
     ]
 
 
-def _blocks(widths: Sequence[int], gap: int, available: int) -> list[list[int]]:
+def column_blocks(widths: Sequence[float], gap: float, available: float) -> list[list[int]]:
     """Split columns into groups that fit side by side, each beginning with the first column."""
     blocks, used = [[0]], widths[0]
     for index, width in enumerate(widths[1:], 1):

@@ -75,13 +75,7 @@ class SweepAxis:
 
 
 def axis(name: str, given: Any, swept: Swept) -> SweepAxis:
-    """Return the axis for a value in the table [sweep].
-
-    Raises
-    ------
-    InputError
-        It is neither a list nor a table of ``from``, ``to`` and ``count`` or ``step``, or a value is invalid.
-    """
+    """Return the axis for a list in the table [sweep], or a table of ``from``, ``to`` and ``count`` or ``step``."""
     if isinstance(given, list):
         return _list(name, given, swept)
     if not isinstance(given, Mapping):

@@ -171,13 +171,8 @@ def table_columns(
 ) -> dict[str, tuple[str, NDArray[Any]]]:
     """Return the columns of a CSV or Parquet file that give inputs: SI unit and values [SI] by name.
 
-    ``given_units`` gives units of columns without one, by input or dimension.
-
-    Raises
-    ------
-    FileError
-        No column gives a ``known`` input, a column is named after an input with names, there are no rows, or a used
-        cell is not a number.
+    ``given_units`` gives units of columns without one, by input or dimension. A :class:`FileError` says that no column
+    gives a ``known`` input, a column is named after an input with names, or rows or numbers are missing.
     """
     reader = open_table(path)
     try:

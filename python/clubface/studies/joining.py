@@ -77,13 +77,11 @@ def join(
 
     Parameters
     ----------
-    study
-        The study file, or the folder of its store.
+    study, store
+        As for :func:`clubface.studies.status`.
     output
         A Parquet file, with SI columns that carry their units, or a CSV file, with practical units in the headings. By
         default only the sums of the columns are computed.
-    store
-        The folder of the study's store; default next to the file.
     progress
         Called with the number of parts joined and the total.
     """
@@ -155,14 +153,12 @@ def histories(
 
     Parameters
     ----------
-    study
-        The study file, or the folder of its store.
+    study, store
+        As for :func:`clubface.studies.status`.
     name
         The history, such as "contact" in a finite element study.
     tasks
         Task numbers, from 0 in the order of the study; default all.
-    store
-        The folder of the study's store; default next to the file.
 
     Returns
     -------

@@ -138,12 +138,7 @@ class StudyStore:
     def read(self, chunk: int) -> tuple[dict[str, NDArray[Any] | Names], dict[str, Any]]:
         """Return the columns and the metadata of a chunk's part.
 
-        Raises
-        ------
-        FileNotFoundError
-            There is no part.
-        FileError
-            It is damaged, or belongs to another chunk or study.
+        Without a part this is a FileNotFoundError; a damaged part or one of another chunk or study is a FileError.
         """
         columns, metadata = self._read(chunk, PARTS)
         if {len(each) for each in columns.values()} != {len(self.tasks(chunk))}:
@@ -236,9 +231,8 @@ class StudyStore:
         def change(name: str) -> str:
             key = name.removeprefix("file ")
             if name not in now or key not in before:
-                return (
-                    "" if name not in {*now, *(f"file {each}" for each in before)} else " (named in one of them alone)"
-                )
+                named = name in {*now, *(f"file {each}" for each in before)}
+                return " (named in one of them alone)" if named else ""
             return first_difference(self.input(before[key]), contents.get(now[name]))
 
         check_same(self.folder, fingerprints(study.content()), self.record["content"], REMEDY, change)
@@ -258,13 +252,7 @@ def store_folder(path: Path) -> Path:
 
 
 def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | None = None) -> StudyStore:
-    """Return the store of a study, given by the study file or the store's own folder.
-
-    Raises
-    ------
-    FileError
-        There is no store, or it belongs to another study.
-    """
+    """Return the store of a study, given by the study file or the store's own folder."""
     path = Path(study)
     if path.is_dir():
         opened = open_folder(path)
@@ -279,9 +267,8 @@ def open_store(study: str | os.PathLike[str], store: str | os.PathLike[str] | No
     described = read_study(path)
     folder = Path(store) if store is not None else store_folder(path)
     if not folder.exists():
-        raise FileError(
-            str(folder), None, f"no part of this study is finished yet; clubface study run {path} starts it"
-        )
+        message = f"no part of this study is finished yet; clubface study run {path} starts it"
+        raise FileError(str(folder), None, message)
     opened = open_folder(folder)
     opened.check(described)
     return opened
@@ -298,20 +285,8 @@ def open_folder(folder: Path) -> StudyStore:
 def begin(folder: Path, study: StudyFile, describe: Callable[[], dict[str, Any]]) -> StudyStore:
     """Return the store of a study in a folder, creating it if necessary.
 
-    Parameters
-    ----------
-    folder
-        The folder.
-    study
-        The study.
-    describe
-        Called for the rest of the record if there is none yet. The chunk size is part of it: the first run decides,
-        since workers on other machines must use the same chunks.
-
-    Raises
-    ------
-    FileError
-        The store belongs to another study, or the folder contains something else.
+    ``describe`` returns the rest of the record if there is none yet. The chunk size is part of it: the first run
+    decides, since workers on other machines must use the same chunks.
     """
     if not (folder / RECORD).exists():
         seen = [each.name for each in folder.iterdir() if each.name[0] != "."] if folder.is_dir() else []

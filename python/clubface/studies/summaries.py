@@ -192,12 +192,10 @@ def summary(
 
     Parameters
     ----------
-    study
-        The study file, or the folder of its store.
+    study, store
+        As for :func:`clubface.studies.status`.
     quantities
         The quantities to summarise; default all.
-    store
-        The folder of the study's store; default next to the file.
     progress
         Called with the number of parts read and the total; every part is read twice.
     """

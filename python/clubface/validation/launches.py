@@ -353,7 +353,7 @@ def top(places: Floats, values: Floats) -> float:
 
 LAUNCH_TOLERANCE, SPIN_TOLERANCE = units.parse("1 deg", "angle"), units.parse("300 rpm", "angular rate")
 """Tolerances within which PING's chart counts a launch as near the optimum."""
-SPEEDS, ATTACKS = ("80 mph", "100 mph", "120 mph"), (-5.0, 0.0, 5.0)
+SPEEDS = ("80 mph", "100 mph", "120 mph")
 BALL_SPEEDS, BALL_ATTACKS = ("100 mph", "130 mph", "160 mph"), (-4.0, 0.0, 4.0)
 STEPS = np.radians(np.arange(-6.0, 7.0, 2.0))
 MOVES = 3

@@ -53,19 +53,11 @@ class CheckSummary(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """How many measured quantities a model meets.
+    """How many measured quantities a model meets."""
 
-    Attributes
-    ----------
-    met, every
-        Number of quantities in which the model is within the tolerance on average, and for every figure.
-    of
-        Number of quantities the model computes.
-    """
-
-    met: int
-    every: int
-    of: int
+    met: int  # quantities with errors within the tolerance on average
+    every: int  # quantities with every figure within the tolerance
+    of: int  # quantities that the model computes
 
 
 def summary(figures: Iterable[Figure]) -> list[CheckSummary]:

@@ -65,11 +65,7 @@ def _task(study: DescribedStudy) -> OneByOne:
         cameras = replace(Cameras(), **{name: how[name] for name in OF_CAMERAS if name in how})
         club, ready = reader(how["club"], how["hand"], cameras, how["estimator"], how["roughness"])
         _, errors, stated, touch = read_swing(
-            int(how["swing"]),
-            seed=int(how["seed"]),
-            club=club,
-            cameras=cameras,
-            ready=(ready,),
+            int(how["swing"]), seed=int(how["seed"]), club=club, cameras=cameras, ready=(ready,)
         )
         figures = {f"{name}_error": each for name, each in zip(QUANTITIES, errors[0], strict=True)}
         figures |= {f"{name}_stated": each for name, each in zip(QUANTITIES, stated[0], strict=True)}

@@ -38,13 +38,7 @@ def swept_golfers() -> dict[str, Swept]:
 
 
 def changed_golfer(golfer: Golfer, task: Mapping[str, Any]) -> Golfer:
-    """Return a golfer with the swept figures of a task; correlations do not change.
-
-    Raises
-    ------
-    InputError
-        The golfer does not have the swept variable, or a figure is out of range.
-    """
+    """Return a golfer with the swept figures of a task; correlations do not change."""
     mean, spread = np.array(golfer.mean), np.array(golfer.spread)
     for place, name in enumerate(golfer.variables):
         mean[place] = task.get(f"mean_{name}", mean[place])
