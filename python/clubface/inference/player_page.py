@@ -67,17 +67,17 @@ def typical_notes(club: ClubStatistics) -> Iterator[Note]:
     shots = len(club.shots) - int(club.mishit.sum())
     if figures := {name: club.measured[name].median for name in TYPICAL if name in club.measured}:
         yield note("player-typical-shot", shots=shots, figures=figures)
-    if carry := club.measured.get("carry"):
-        data = {"carry": carry.median, "low_carry": carry.low, "high_carry": carry.high, "spread_carry": carry.spread}
-        yield note(f"player-carry{_spread_suffix(carry)}", **data)
-    if side := club.measured.get("side"):
-        data = {"side": side.median, "low_side": side.low, "high_side": side.high, "spread_side": side.spread}
-        yield note(f"player-side{_spread_suffix(side)}", **data)
-
-
-def _spread_suffix(statistic: Statistic) -> str:
-    """Return the suffix of the note's code for the number of shots: a range, a standard deviation, or neither."""
-    return "" if statistic.shots >= ENOUGH else "-few" if statistic.shots > 1 else "-alone"
+    for name in ("carry", "side"):
+        if each := club.measured.get(name):
+            # A range, a standard deviation, or neither.
+            suffix = "" if each.shots >= ENOUGH else "-few" if each.shots > 1 else "-alone"
+            data = {
+                name: each.median,
+                f"low_{name}": each.low,
+                f"high_{name}": each.high,
+                f"spread_{name}": each.spread,
+            }
+            yield note(f"player-{name}{suffix}", **data)
 
 
 def mishit_notes(club: ClubStatistics) -> Iterator[Note]:
@@ -131,21 +131,17 @@ def line_notes(club: ClubStatistics) -> Iterator[Note]:
 
 def strike_notes(club: ClubStatistics) -> Iterator[Note]:
     """Yield notes on the impact point, measured, or estimated if the flight determines it."""
-    toe, high = (club.measured.get(name) for name in ("toe", "high"))
-    if toe is not None and high is not None:
-        yield note("player-strike", toe=toe.median, high=high.median)
-    elif toe is not None:
-        yield note("player-strike-toe", toe=toe.median)
-    elif high is not None:
-        yield note("player-strike-high", high=high.median)
+    strike = {name: club.measured[name] for name in ("toe", "high") if name in club.measured}
+    if strike:
+        code = "player-strike" if len(strike) == 2 else f"player-strike-{min(strike)}"
+        yield note(code, **{name: each.median for name, each in strike.items()})
     elif club.inferred is not None and (doubt := club.inferred.doubt["toe"]) < LEARNED:
         middle = club.inferred.mean["toe"]
         ends = {"low_toe": middle - 2.0 * doubt, "high_toe": middle + 2.0 * doubt}
         yield note("player-strike-estimated", toe=middle, **ends)
-    if toe is not None and toe.shots >= ENOUGH:
-        yield note("player-strike-toe-range", low_toe=toe.low, high_toe=toe.high)
-    if high is not None and high.shots >= ENOUGH:
-        yield note("player-strike-high-range", low_high=high.low, high_high=high.high)
+    for name, each in strike.items():
+        if each.shots >= ENOUGH:
+            yield note(f"player-strike-{name}-range", **{f"low_{name}": each.low, f"high_{name}": each.high})
 
 
 def what_if_notes(club: ClubStatistics) -> Iterator[Note]:

@@ -448,10 +448,9 @@ def _at_impact(launch: Launch) -> Panel:
     points -= toe * to_toe - toe**2 / (2.0 * bulge) * normal  # the strike is the origin
     here = normal + to_toe * toe / bulge
     centre = radius * here / np.hypot(*here)
-    turn = np.linspace(0.0, 2.0 * np.pi, 61)
     marks = [
         Mark("rule", x=0.0, style=-1, dash=2),
-        Mark("outline", centre[0] + radius * np.cos(turn), centre[1] + radius * np.sin(turn), style=-1),
+        _ellipse(radius, radius, -1, centre),
         Mark("line", points[:, 0], points[:, 1], style=-2, size=2.5, dash=0),
     ]
     for word, angle, style, back, length in (
@@ -475,14 +474,13 @@ def _at_impact(launch: Launch) -> Panel:
 def _tilted_ball(launch: Launch) -> Panel:
     """Return the ball as the player sees it from behind: its tilted spin axis and the lift across it."""
     tilt = float(launch.spin_axis)
-    turn = np.linspace(0.0, 2.0 * np.pi, 61)
     ends = 1.25 * np.array([np.cos(tilt), -np.sin(tilt)])  # to the right, up: tilted right, the right end is down
     lift = np.array([np.sin(tilt), np.cos(tilt)])
     back = 1.0 if launch.backspin >= 0.0 else -1.0
     axis_words, spin = _value_text("spin_axis", tilt, "sides"), _value_text("total_spin", launch.total_spin)
     marks = [
         Mark("line", [-1.25, 1.25], [0.0, 0.0], style=-1, dash=2, size=0.8),
-        Mark("outline", np.cos(turn), np.sin(turn), style=-2),
+        _ellipse(1.0, 1.0, -2),
         Mark("line", [-ends[0], ends[0]], [-ends[1], ends[1]], style=-2, size=2.0, dash=0),
         _arrow(np.zeros(2), 1.55 * back * lift, _FLIGHT),
         Mark("text", [1.75 * back * lift[0]], [1.75 * back * lift[1]], texts=["lift"], style=_FLIGHT),
@@ -497,10 +495,7 @@ def _face(explanation: Explanation) -> Panel:
     """Return the face with the strike and the strikes that it is compared with."""
     launch = explanation.launch
     width, height = (float(launch.input(name)) for name in ("face_width", "face_height"))
-    turn = np.linspace(0.0, 2.0 * np.pi, 61)
-    marks = []
-    if width > 0.0 and height > 0.0:
-        marks.append(Mark("outline", 0.5 * width * np.cos(turn), 0.5 * height * np.sin(turn), style=-1))
+    marks = [_ellipse(0.5 * width, 0.5 * height, -1)] if width > 0.0 and height > 0.0 else []
     struck = explanation.strikes
     for style, names in ((_LESS, ("heel", "low")), (_MIDDLE, ("middle",)), (_MORE, ("toe", "high"))):
         there = [name for name in names if name in struck]
@@ -517,6 +512,12 @@ def _face(explanation: Explanation) -> Panel:
         axis("high", "up the face", limits=(-up, up)),
         "where it was struck", equal=True,
     )  # fmt: skip
+
+
+def _ellipse(across: float, up: float, style: int, centre: Any = (0.0, 0.0)) -> Mark:
+    """Return an ellipse by its half axes."""
+    turn = np.linspace(0.0, 2.0 * np.pi, 61)
+    return Mark("outline", centre[0] + across * np.cos(turn), centre[1] + up * np.sin(turn), style=style)
 
 
 def _arrow(start: Any, end: Any, style: int) -> Mark:

@@ -293,6 +293,8 @@ class Flight(Batch):
         Distance of the landing from the start line of the ball, across that line [m]; right is positive.
     launch
         The launch of the ball, or None if it was given as numbers.
+    inputs
+        The inputs of the flight by name [SI]; arrays are flat.
     shape
         Shape to which the inputs broadcast; () for a single flight.
     """
@@ -314,14 +316,14 @@ class Flight(Batch):
     def __init__(
         self,
         values: Floats,
-        columns: Mapping[str, NumberOrArray],
+        inputs: Mapping[str, NumberOrArray],
         shape: tuple[int, ...],
         varied: Mapping[str, Floats],
         launch: Launch | None,
         problems: list[tuple[int, str, str]],
     ) -> None:
         self._values = values
-        self._columns = columns
+        self.inputs = inputs
         self._varied = varied
         self._failures = problems
         self.shape = shape
@@ -335,7 +337,7 @@ class Flight(Batch):
     @property
     def start(self) -> NumberOrArray:
         """Start direction of the ball in the horizontal plane [rad], right of the target is positive."""
-        return _of_shape(np.arctan2(self._columns["velocity_z"], self._columns["velocity_x"]), self.shape)
+        return _of_shape(np.arctan2(self.inputs["velocity_z"], self.inputs["velocity_x"]), self.shape)
 
     def shot_shape(self, hand: HandLike | None = None) -> Any:
         """Return the golfer's name of the shot, such as "pull hook"; an array for a batch.
@@ -369,15 +371,10 @@ class Flight(Batch):
         return result
 
     @property
-    def inputs(self) -> Mapping[str, NumberOrArray]:
-        """The inputs of the flight by name [SI]; arrays are flat."""
-        return self._columns
-
-    @property
     def provenance(self) -> dict[str, Any]:
         """Launch, air, ground and version that the flight was computed with."""
         inputs = flight_inputs()
-        held = {name: value for name, value in self._columns.items() if isinstance(value, float)}
+        held = {name: value for name, value in self.inputs.items() if isinstance(value, float)}
         groups = {
             group: {"values": {name: value for name, value in held.items() if inputs[name].group == group}}
             for group in ("ball", "launch", "air", "ground")

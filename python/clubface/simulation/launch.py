@@ -63,8 +63,12 @@ class Launch(Batch):
         Contact time [s] and peak normal force [N]; NaN for a model without a time scale.
     model, parameters
         Name of the model, and the parameters used.
+    club, ball
+        The club and the ball.
     shape
         Shape to which the inputs broadcast; () for a single shot.
+    loft_assumed
+        Whether the static loft of the club was used because no dynamic loft was given.
     """
 
     _kind = "launch"
@@ -103,7 +107,7 @@ class Launch(Batch):
     ) -> None:
         self._values = values
         self._shots = shots
-        self.shape = shots.shape
+        self.club, self.ball, self.shape, self.loft_assumed = shots.club, shots.ball, shots.shape, shots.loft_assumed
         self.model = model
         self.parameters = parameters
         self.accuracy = accuracy
@@ -121,16 +125,6 @@ class Launch(Batch):
         return assumptions_of([self])
 
     @property
-    def club(self) -> Club:
-        """The club."""
-        return self._shots.club
-
-    @property
-    def ball(self) -> Ball:
-        """The ball."""
-        return self._shots.ball
-
-    @property
     def varied(self) -> Mapping[str, Varied]:
         """The inputs and parameters given as arrays, by name."""
         result = {}
@@ -138,11 +132,6 @@ class Launch(Batch):
             each = inputs()[name] if name in inputs() else model(self.model).parameter(name)
             result[name] = Varied(values, each.unit, each.meaning)
         return result
-
-    @property
-    def loft_assumed(self) -> bool:
-        """Whether the static loft of the club was used because no dynamic loft was given."""
-        return self._shots.loft_assumed
 
     @property
     def delivery(self) -> dict[str, NumberOrArray]:

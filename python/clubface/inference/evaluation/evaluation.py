@@ -114,10 +114,7 @@ def evaluate(
             enough > FEWEST_RESAMPLES
         )
         raise InputError("resamples", resamples, f"a whole number of at least {max(enough, FEWEST_RESAMPLES)}{why}")
-    monitor, disturbance = (
-        monitor_noise(noise),
-        standard_deviations(delivery_noise, OF_CLUB, "delivery_noise"),
-    )
+    monitor, disturbance = monitor_noise(noise), standard_deviations(delivery_noise, OF_CLUB, "delivery_noise")
     source = shots if isinstance(shots, RecordedShots) else read(shots)
     if groups is not None and source is not shots:
         advice = "give RecordedShots instead of a file, with one group label per shot"

@@ -284,32 +284,28 @@ class Evaluation(Described):
     def _trends(self) -> Table:
         """Return the slopes of the errors over the delivery quantities; an asterisk marks significant ones."""
         rows = [
-            (name, model, line)
+            (name, model, line, units.size(COVARIATES[line.covariate]) / units.size(QUANTITIES[name]))
             for name, models in self.trends.items() for model, lines in models.items() for line in lines
         ]  # fmt: skip
-        covariates = [line.covariate for _, _, line in rows]
-        scale = [units.size(COVARIATES[line.covariate]) / units.size(QUANTITIES[name]) for name, _, line in rows]
-        slopes = [line.slope * each for (_, _, line), each in zip(rows, scale, strict=True)]
+        covariates = [line.covariate for _, _, line, _ in rows]
+        slopes = [line.slope * size for _, _, line, size in rows]
         return table(
             "trends",
-            text("error_of", [f"{quantity(name).label} ({QUANTITIES[name]}), {model}" for name, model, _ in rows],
+            text("error_of", [f"{quantity(name).label} ({QUANTITIES[name]}), {model}" for name, model, *_ in rows],
                  in_files=False),
             text("over", [f"per {COVARIATES[each]} of {each}" for each in covariates], in_files=False),
             text("shown", [
                 f"{each:+.{error_quantity(name).golf.digits or 1}f}{'*' * line.is_clear}"
-                for each, (name, _, line) in zip(slopes, rows, strict=True)
+                for each, (name, _, line, _) in zip(slopes, rows, strict=True)
             ], in_files=False),
-            text("quantity", [name for name, _, _ in rows], printed=False),
-            text("model", [model for _, model, _ in rows], printed=False),
-            text("covariate", covariates, printed=False),
-            text("slope", slopes, printed=False),
-            text("slope_low", [line.interval.low * each for (_, _, line), each in zip(rows, scale, strict=True)],
+            text("quantity", [name for name, *_ in rows], printed=False),
+            text("model", [model for _, model, *_ in rows], printed=False),
+            text("covariate", covariates, printed=False), text("slope", slopes, printed=False),
+            text("slope_low", [line.interval.low * size for _, _, line, size in rows], printed=False),
+            text("slope_high", [line.interval.high * size for _, _, line, size in rows], printed=False),
+            text("unit", [f"{QUANTITIES[name]} per {COVARIATES[line.covariate]}" for name, _, line, _ in rows],
                  printed=False),
-            text("slope_high", [line.interval.high * each for (_, _, line), each in zip(rows, scale, strict=True)],
-                 printed=False),
-            text("unit", [f"{QUANTITIES[name]} per {COVARIATES[line.covariate]}" for name, _, line in rows],
-                 printed=False),
-            text("explained", [line.explained for _, _, line in rows], printed=False),
+            text("explained", [line.explained for _, _, line, _ in rows], printed=False),
             title="What the errors depend on; * marks a slope whose 95% interval excludes zero", layout="pivot",
             printed=False,
         )  # fmt: skip

@@ -130,12 +130,9 @@ class Resamples:
         self._shots = shots
         self._seed = seed
         self._weights: Floats | None = None
-        self._group = np.arange(shots)
-        self.groups = shots
+        names, self._group = np.unique(np.arange(shots) if groups is None else np.asarray(groups), return_inverse=True)
+        self.groups = len(names)
         """Number of groups drawn."""
-        if groups is not None:
-            names, self._group = np.unique(np.asarray(groups), return_inverse=True)
-            self.groups = len(names)
 
     def means(self, values: Floats) -> Floats:
         """Return the means of ``values``, shape [columns, shots], in each resample: [resamples, columns]."""

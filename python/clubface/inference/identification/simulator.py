@@ -98,14 +98,11 @@ class Simulator:
         )  # fmt: skip
         self.effort.add(1, len(self.shots))
         table = computed.reshape(len(places), 1 + len(variables), len(self.shots))
-        slopes = self.free.slopes(point)
-        by_point = np.empty((len(places), len(driven), len(self.shots)))
-        start = 1
-        for place, group in enumerate(driven):
-            by_point[:, place] = table[:, start : start + len(group)].sum(axis=1) * slopes[place]
-            start += len(group)
-        count = len(self._places)
-        return table[:count, 0], _at_launch(by_point, table[:, start:], count)
+        sizes = [len(each) for each in driven]
+        angles, count = 1 + sum(sizes), len(self._places)
+        together = np.add.reduceat(table[:, 1:angles], np.cumsum([0, *sizes[:-1]]), axis=1)
+        by_point = together * self.free.slopes(point)[:, None]
+        return table[:count, 0], _at_launch(by_point, table[:, angles:], count)
 
     def contact(self, point: Floats) -> tuple[Floats, Floats]:
         """Return contact times [s] and peak forces [N] of the shots; NaN for a model without a time scale."""
