@@ -133,7 +133,8 @@ def best_loft(
     club, model, parameters, ball, accuracy, air, wind, ground
         As for :func:`impact` and :func:`fly`.
     worth
-        The smallest difference worth a change, by objective; the value for "carry" sets the width of the optimum.
+        The smallest difference worth a change, by objective: text with a unit or SI numbers. The value for "carry" sets
+        the width of the optimum.
     progress
         Called with the number of shots done and the total.
     **delivery

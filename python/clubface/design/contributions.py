@@ -248,9 +248,8 @@ def contributions(
     parameters leads to ``last``; the exact derivatives are integrated along it by Gauss's rule.
 
     ``stages`` holds the first shot and the shot after each change without derivatives, with the name of the change;
-    ``last`` uses the model of the final stage. ``conditions`` are air, wind and ground of the flights, and ``ball`` is
-    the ball of ``last`` as a model takes it. ``nodes`` is the number of points at which the launch is differentiated
-    (default ``NODES``).
+    ``last`` uses the model of the final stage, ``ball`` is its ball as a model takes it, and the launch is
+    differentiated at ``nodes`` points (default ``NODES``).
     """
     *levels, end = (values(each, fly(each, **conditions)) for each in (*(launch for _, launch in stages), last))
     changes = [Change(name, None, None, False) for name, _ in stages[1:]]

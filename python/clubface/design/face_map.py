@@ -262,11 +262,9 @@ def map_face(
         Instead of a grid: coordinates towards the toe and upwards [m], each increasing.
     air, wind, ground
         Conditions of the flights, as for :func:`clubface.fly`.
-    output
-        For a slow model: the output file. Finished points are kept in a folder next to it until the file is written;
-        the same call then resumes.
-    workers
-        For a slow model: number of points computed at a time; default one per core.
+    output, workers
+        For a slow model: the output file, and number of points computed at a time (default one per core). Finished
+        points are kept in a folder next to the file until it is written; the same call then resumes.
     progress
         Called with the number of points done and the total.
 

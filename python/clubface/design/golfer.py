@@ -1,29 +1,6 @@
 """Golfers: the distribution of their club deliveries from shot to shot.
 
-As a TOML file::
-
-    title = "Member of our club, driver"
-    club = "driver"
-    hand = "right"
-
-    [mean]
-    speed = "95 mph"
-    loft = "14 deg"
-
-    [spread]                       # standard deviation from shot to shot
-    speed = "1.2 mph"
-    face = "1.8 deg"
-
-    [[correlation]]
-    of = ["face", "path"]
-    value = 0.4
-
-    [mishit]
-    share = 0.1                    # of the shots,
-    scale = 2                      # factor on their deviations
-
-    [sources]
-    mean.speed = "measured"
+The files in ``data/golfers`` show their format, :class:`GolferFile` every key.
 """
 
 from __future__ import annotations

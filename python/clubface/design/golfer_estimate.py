@@ -259,14 +259,11 @@ def estimate_golfer(
     shots
         Shots of one club and one player, or a launch monitor's file. Face angles measured at the impact point are
         converted to the face centre.
-    name
-        Name of the golfer.
     like
         The golfer that supplies what was not measured; default the shipped golfer with this kind of club and the
         nearest mean speed.
     club, hand, only, where, mismatch, assume
-        Choice of shots and club, and values for what was not measured, as for
-        :func:`clubface.shots.measured.ready_shots`.
+        As for :func:`clubface.shots.measured.ready_shots`.
 
     Raises
     ------

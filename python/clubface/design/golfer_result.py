@@ -43,11 +43,7 @@ def golfers_result(golfers: Sequence[Golfer]) -> Result:
 def golfer_result(
     golfer: Golfer, club: Club | None = None, estimate: Estimate | None = None, doubts: SpreadSensitivity | None = None
 ) -> Result:
-    """Return a golfer as a result.
-
-    ``club`` is None if unknown; ``estimate`` and ``doubts`` add the shots behind an estimate and the sensitivity to
-    each figure.
-    """
+    """Return a golfer as a result, with the shots behind an estimate and the sensitivity to each figure, if given."""
     launches = [] if club is None else [impact(club, golfer.for_hand(club.hand).delivery())]
     inputs = {"golfer": golfer.title or golfer.name, "hand": "right" if golfer.hand > 0 else "left"}
     if doubts is not None:

@@ -169,16 +169,14 @@ def fit_loft(
         The club delivered; default the golfer's own.
     objective
         "carry", "total", "side_spread", "ellipse" or "strokes".
-    worth
-        The smallest difference worth a change, by objective: text with a unit or SI numbers.
+    worth, progress
+        As for :func:`clubface.best_loft` and :func:`clubface.optimise`.
     hole
         The hole on which strokes are counted.
     model, parameters, ball, air, wind, ground
         As for :func:`clubface.impact` and :func:`clubface.fly`; the model must have derivatives.
     shots, seed
         Number of shots and seed of their random numbers.
-    progress
-        As for :func:`clubface.optimise`.
 
     Raises
     ------
@@ -283,9 +281,8 @@ def loft_fit_picture(fitted: LoftFit) -> Picture:
 def player_loft_notes(club: ClubStatistics) -> Iterator[Note]:
     """Yield what another loft would gain in carry, then in other objectives; nothing if the delivery is unknown.
 
-    It calls :func:`clubface.design.fit_loft` for the golfer estimated from the shots, so that the report agrees with
-    ``clubface best-loft --golfer``. With too few shots for a golfer it uses the inferred mean delivery and leaves out
-    strokes, which depend on the spread of the shots.
+    They are those of ``clubface best-loft --golfer``. Too few shots for a golfer count as one with the inferred mean
+    delivery, and strokes are left out, since they depend on the spread of the shots.
     """
     if club.club is None or club.inferred is None:
         return

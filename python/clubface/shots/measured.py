@@ -261,10 +261,8 @@ def measured_shots(
 
     Parameters
     ----------
-    shots
-        Recorded shots, or a file that :func:`clubface.shots.read` reads.
-    club, only, where, mismatch, assume
-        As for :func:`clubface.shots.measured.ready_shots`.
+    shots, club, only, where, mismatch, assume
+        The shots or their file, and options as for :func:`clubface.shots.measured.ready_shots`.
     quantities
         The launch quantities wanted, out of ``QUANTITIES``.
     compared_at
@@ -274,8 +272,7 @@ def measured_shots(
     Raises
     ------
     InputError
-        There is no usable shot, the shots are of several clubs or of a different club than the one given, or no column
-        gives a speed or a launch.
+        As for :func:`clubface.shots.measured.ready_shots`, or no column gives a speed or a launch.
     """
     recorded = ready_shots(shots, club=club, only=only, where=where, mismatch=mismatch, assume=assume)
     head = recorded.club

@@ -267,8 +267,6 @@ _WEB = re.compile(rb"(?:GET|HEAD|POST|PUT|DELETE|OPTIONS|PATCH|CONNECT|TRACE) ")
 
 
 class _Client:
-    """One connection."""
-
     def __init__(self, connection: socket.socket, name: str) -> None:
         self.connection = connection
         self.name = name

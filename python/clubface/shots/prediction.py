@@ -393,20 +393,15 @@ def predict(
         the delimiter), an Excel workbook, or Parquet by its ending.
     club, model, ball, parameters, hand, accuracy, threads
         As for :func:`impact`. A column named after an input overrides the club, ball or hand given here.
-    carry
-        Whether to compute flights too.
-    air, wind
-        As for :func:`fly`.
+    carry, air, wind
+        Whether to compute flights too, and their conditions as for :func:`fly`.
     output
         The file to write, CSV or Parquet by its ending; default ``<source>-launches.csv`` next to the source.
     rejects
         The CSV file for rows that cannot be used, written only if there are any; default ``<output>.rejects.csv`` next
         to the output.
-    format, mapping, units
-        Layout of a launch monitor's file, as for :func:`clubface.shots.read`.
-    only, where, mismatch, assume
-        Choice of recorded shots, and values for what was not measured, as for
-        :func:`clubface.shots.measured.ready_shots`.
+    format, mapping, units, only, where, mismatch, assume
+        As for :func:`clubface.shots.read` and :func:`clubface.shots.measured.ready_shots`.
     chunk_rows
         Number of rows held in memory.
     progress

@@ -1,9 +1,8 @@
 """Sources of deliveries for predictions: a plain table, read in chunks, or recorded shots, prepared as a whole.
 
-A table of deliveries may have any length and is never held in memory as a whole. Recorded shots (a launch monitor's
-file, or a table that names clubs or the reference points of club data) are prepared by
-:func:`clubface.shots.measured.ready_shots`, whose arrays are used directly. Rows of such a table are passed through
-unchanged, rows of a monitor's file as ``clubface monitor read`` writes them.
+A table of deliveries may have any length. Recorded shots (a launch monitor's file, or a table that names clubs or the
+reference points of club data) are prepared by :func:`clubface.shots.measured.ready_shots`; rows of such a table are
+passed through unchanged, rows of a monitor's file as ``clubface monitor read`` writes them.
 """
 
 from __future__ import annotations
@@ -61,9 +60,8 @@ def open_source(
 ) -> Source:
     """Open a file of deliveries or of recorded shots.
 
-    ``hand`` is the player's hand for a launch monitor's file, if given. ``reading`` holds ``format``, ``mapping`` and
-    ``units`` for :func:`clubface.shots.read`, and ``choice`` holds ``only``, ``where``, ``assume`` and ``mismatch`` for
-    :func:`clubface.shots.measured.ready_shots`.
+    ``reading`` holds ``format``, ``mapping`` and ``units`` for :func:`clubface.shots.read`, and ``choice`` holds
+    ``only``, ``where``, ``assume`` and ``mismatch`` for :func:`clubface.shots.measured.ready_shots`.
     """
     units = check_units(reading["units"] or {})
     if reading["format"] or reading["mapping"] or not is_plain_table(path):

@@ -60,8 +60,7 @@ def summary_rows(
     """Return the indices of summary rows.
 
     ``labels`` maps positions of text columns to "club", "player", or the heading in plain words; ``cells`` are given by
-    column and ``values`` are the numbers by quantity. ``doubtful`` rows have text in a numeric cell, which may be a
-    summary word.
+    column, and ``doubtful`` rows have text in a numeric cell, which may be a summary word.
     """
     certain: set[int] = set()
     possible: dict[int, str] = {}

@@ -116,7 +116,6 @@ class _Run:
         return Solution(**{**kept, "point": np.array(kept["point"])})
 
     def _solve_all(self, name: str, words: str, problem: Problem, points: Sequence[Floats]) -> list[Solution]:
-        """Return the solution reached from each point."""
         return [self._solve(f"{name} {place}", words, problem, point) for place, point in enumerate(points)]
 
     def _problem(self, shots: int, name: str) -> Problem:

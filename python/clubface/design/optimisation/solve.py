@@ -129,10 +129,9 @@ Limit = RangeLimit | Buildable
 
 
 class Problem:
-    """An objective to optimise over variables, subject to limits.
+    """An objective to optimise over variables, subject to limits; ``others`` are objectives used by limits or reported.
 
-    ``golfers`` holds shots and weight of each golfer; weights need not sum to 1. ``others`` are objectives used by
-    limits or reported.
+    ``golfers`` holds shots and weight of each golfer; weights need not sum to 1.
     """
 
     def __init__(

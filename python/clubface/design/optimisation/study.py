@@ -1,28 +1,6 @@
 """Optimisation studies: variables, objective, golfers and limits; and their TOML files.
 
-A study::
-
-    title = "A driver for bogey golf"
-    club = "driver"
-    golfer = "bogey-driver"
-    objective = "strokes"                # or two of them, for a Pareto front
-
-    [hole]
-    length = "400 yd"
-
-    [variables]
-    loft = ["8 deg", "14 deg"]
-    bulge = ["200 mm", "500 mm"]
-    mass_distribution = "free"           # or bounds of single mass properties
-
-    [head]                               # where its mass may be, relative to the face centre
-    size = ["115 mm", "62 mm", "124 mm"] # face to back, sole to crown, heel to toe
-    centre = ["-55 mm", "2 mm", "3 mm"]
-    volume = "460 cm3"
-    discretionary_mass = "30 g"
-
-    [limits]
-    side_spread = ["none", "25 yd"]
+``examples/better_driver.toml`` is a study; :class:`StudyFile` and :class:`FittingFile` describe every key.
 """
 
 from __future__ import annotations

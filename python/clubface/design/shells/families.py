@@ -186,7 +186,6 @@ class MeshFamily:
                 self._check_uniform(key)
 
     def _group_elements(self, group: str) -> NDArray[Any]:
-        """Return which elements belong to a group."""
         return np.array([self._group[part.name] == group for part in self.start.parts])[self.start.part_of_elements()]
 
     def _check_uniform(self, group: str) -> None:

@@ -1,33 +1,7 @@
 """Studies of shell heads: variables, objective and limits, and their TOML files.
 
-A study::
-
-    title = "A face within the rules"
-    head = "./driver.toml"               # a driver from dimensions or a mesh of shells, next to this file
-    objective = "ball_speed"             # or carry, characteristic_time, wall_mass (minimised)
-    safety = 1.1                         # factor that divides the yield stress
-
-    [variables.thickness]
-    face_centre = ["2.4 mm", "4.2 mm"]   # for a mesh: a group
-
-    [delivery]                           # or golfer = "average-driver" and points alone
-    speed = "100 mph"
-    loft = "12 deg"
-    points = [["0 mm", "0 mm"], ["12 mm", "4 mm"]]   # to the toe, above the face centre
-
-    [hardest]                            # defaults to the values of [delivery]
-    speed = "120 mph"
-
-    [limits]
-    wall_mass = ["none", "195 g"]
-
-    [[metals]]                           # default: the metal of the head
-    name = "Ti-6Al-4V"
-    youngs = "114 GPa"
-    poisson = 0.34
-    density = "4430 kg/m3"
-    yield = "880 MPa"
-    source = "where the figures are from"
+``examples/faster_face.toml`` varies a driver from dimensions, ``examples/own_walls.toml`` a mesh of shells by group;
+:class:`ShellFile` describes every key.
 """
 
 from __future__ import annotations

@@ -407,7 +407,6 @@ def _is_arrow(column: Any) -> bool:
 
 
 def _taken(column: Any, rows: Sequence[int]) -> Any:
-    """Return some cells of a column."""
     if _is_arrow(column):
         import pyarrow
 

@@ -282,8 +282,7 @@ def layout(
     """Return the quantities among ``headings``; raise an error for a wrong unit or a repeated column.
 
     ``words`` defaults to the inputs of an impact. ``given_units`` are units, by quantity or dimension, of columns
-    without one; columns that still have none are listed in an error. ``remedy`` describes how units are given, by
-    default as command options.
+    without one; an error lists columns that still have none, and the ``remedy``, by default command options.
     """
     given_units = given_units or {}
     words = words or delivery_words()
