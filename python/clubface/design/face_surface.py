@@ -235,10 +235,7 @@ class Surface(NamedTuple):
     interpolated: bool = False  # between known points
 
     def greatest(self, quantity: int) -> tuple[float, float, float]:
-        """Return the point [m] where a quantity is greatest, and its value there [SI].
-
-        The search refines around the largest value on the grid.
-        """
+        """Return the point [m] where a quantity is greatest, and its value there [SI], from the largest on the grid."""
         best = self.outline.in_core().greatest(
             self.toe.tolist(), self.high.tolist(), self.table[quantity], lambda toe, high: self.at(toe, high)[quantity]
         )
@@ -247,10 +244,7 @@ class Surface(NamedTuple):
         return best
 
     def area(self, quantity: int, least: float) -> float:
-        """Return the area [m2] of the face where a quantity is at least ``least``.
-
-        It is integrated over the grid, or over a finer one if the grid is coarse.
-        """
+        """Return the area [m2] of the face where a quantity is at least ``least``, refining a coarse grid."""
         across, up = self.toe.tolist(), self.high.tolist()
         return self.outline.in_core().area_above(
             across, up, self.table[quantity], least, lambda toe, high: self.at(toe, high)[quantity]

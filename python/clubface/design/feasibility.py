@@ -43,7 +43,7 @@ FREE = 0.03
 def pseudo_inertia(values: Floats) -> Floats:
     """Return the pseudo-inertia about the face centre [kg m2, kg m and kg], shape (4, 4).
 
-    ``values`` are mass properties [SI] in the order of ``MASS_PROPERTIES``; their inertia is about the CG.
+    ``values`` are mass properties [SI] in the order of ``MASS_PROPERTIES``, with the inertia about the CG.
     """
     return np.array(core.pseudo_inertia(values.tolist()))
 

@@ -88,10 +88,7 @@ def mixture(steps: Floats) -> Mixture:
 
 
 def covariance_of(steps: Floats, share: float, scale: float, *, start: Floats | None = None) -> Floats:
-    """Return the maximum-likelihood covariance without mishits, for a given share and scale of mishits.
-
-    ``start`` is the initial covariance of the iteration, such as the result for another share.
-    """
+    """Return the maximum-likelihood covariance without mishits, for their share and scale, iterated from ``start``."""
     first, _ = shrunk(steps, np.full(len(steps), 0.5))
     covariance = first if start is None else start
     for _ in range(ROUNDS):
@@ -457,7 +454,7 @@ COUNT = 2**15
 worst mishits count most; better for others)."""
 QUANTITIES = ("carry", "side")
 LEAST = 0.01
-"""Smallest eigenvalue allowed when correlations are made stronger."""
+"""Smallest eigenvalue allowed when correlations are made stronger and may contradict each other."""
 
 
 class FigureEffect(NamedTuple):
@@ -525,10 +522,7 @@ def changed(golfer: Golfer, figure: str, factor: float) -> Golfer:
 
 
 def possible(correlation: Floats) -> Floats:
-    """Return a valid correlation matrix near the given one, by raising eigenvalues to at least ``LEAST``.
-
-    Strong correlations that are made stronger may contradict each other.
-    """
+    """Return a valid correlation matrix near the given one, by raising eigenvalues to at least ``LEAST``."""
     values, vectors = np.linalg.eigh(correlation)
     if values[0] >= LEAST:
         return correlation

@@ -106,10 +106,7 @@ class LiveShots:
         self._notify()
 
     def keep(self, message: Message, protocol: str) -> LiveShot | None:
-        """Write a shot to disk, then notify all listeners; return None for one that was sent before.
-
-        A shot that cannot be written raises a ``FileError`` and is not shown.
-        """
+        """Write a shot to disk (or raise a ``FileError``), then notify all listeners; return None for one sent before."""
         with self._changed:
             if self._is_known(message, protocol):
                 return None

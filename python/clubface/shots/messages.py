@@ -72,10 +72,7 @@ class Message:
 
 
 def shot_message(raw: Message) -> Message:
-    """Return the message of a shot without impossible values, and with all spin quantities that can be derived.
-
-    Raises a ``MessageError`` if nothing was measured, or nothing is left.
-    """
+    """Return the message without impossible values, with all spins that can be derived; an error if nothing is left."""
     if not raw.launch and not raw.delivery:
         raise MessageError("; ".join(["the message holds no value of a shot", *map(str, raw.notes)]))
     wrong = impossible({**raw.delivery, **raw.launch})

@@ -102,11 +102,10 @@ HANDS = {"right": "RH", "left": "LH"}
 
 
 def from_json(data: Mapping[str, Any]) -> Message:
-    """Return the message in a JSON object.
+    """Return the message in a JSON object; a :class:`MessageError` names a required field that is missing or wrong.
 
     Club, spin and carry fields that are not numbers, impossible values, and contradictory spins are left out and
-    reported in ``notes`` and ``impossible``. A required field that is missing or wrong raises a :class:`MessageError`,
-    which names it.
+    reported in ``notes`` and ``impossible``.
     """
     options: Mapping[str, Any] = {f"Contains{name}": isinstance(data.get(name), Mapping) for name in
                                   ("BallData", "ClubData")}  # fmt: skip

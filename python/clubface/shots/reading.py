@@ -46,10 +46,7 @@ FEWEST_KNOWN = 2
 
 
 def detected(path: str, head: Sequence[Row | Reject]) -> Format:
-    """Return the layout whose header is among the first rows, or ``TABLE`` for columns with common names.
-
-    If several layouts fit, the one that knows most columns is returned.
-    """
+    """Return the layout that knows most columns of a header among the first rows; ``TABLE`` for common names alone."""
     rows = [row for row in head if not isinstance(row, Reject)]
     if not rows:
         raise _no_header(path, head)

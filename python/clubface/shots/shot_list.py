@@ -112,10 +112,7 @@ def completed(shots: RecordedShots) -> CompletedShots:
 
 
 def shot_list_result(shots: RecordedShots, *, first: int = 1, title: str = "") -> Result:
-    """Return shots one by one, with their flight paths.
-
-    ``first`` is the number of the first shot; ``title`` defaults to the source.
-    """
+    """Return shots one by one, numbered from ``first``, with their flight paths; the title defaults to the source."""
     every = completed(shots)
     numbers = list(range(first, first + len(shots)))
     mishits = {each.place: each.quantity for club in summarize_clubs(shots) for each in reversed(club.mishits)}

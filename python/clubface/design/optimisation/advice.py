@@ -430,10 +430,7 @@ def advice_tables(
 
 
 def _objective_table(advice: Advice) -> Table:
-    """Return for each objective its best alternative, the gain, whether that is worth a change, and the price.
-
-    It holds the same values as the sentence on the best alternative by objective.
-    """
+    """Return for each objective its best alternative, the gain, whether that is worth a change, and the price."""
     judges = advice.objectives
     kinds = [each.quantity for each in judges]
     pairs = [(each.name, advice.best(each.name)) for each in judges]

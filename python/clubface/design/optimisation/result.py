@@ -488,10 +488,7 @@ def optimum_picture(optimum: Optimum) -> Picture:
 
 
 def landings_panel(landed: Mapping[str, Floats]) -> Panel:
-    """Return the panel of landings and the ellipses that contain ``SHARE`` of them.
-
-    ``landed`` holds landings [m] by the name of the club, each of shape (landings, shots).
-    """
+    """Return the panel of landings [m] by club, of shape (landings, shots), and ellipses with ``SHARE`` of them."""
     marks, ellipses = [], []
     for style, (name, values) in enumerate(landed.items()):
         side, down = values[1], np.sqrt(np.maximum(values[0] ** 2 - values[1] ** 2, 0.0))
