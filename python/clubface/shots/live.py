@@ -106,7 +106,7 @@ class LiveShots:
         self._notify()
 
     def keep(self, message: Message, protocol: str) -> LiveShot | None:
-        """Write a shot to disk (or raise a ``FileError``), then notify all listeners; return None for one sent before."""
+        """Write a shot to disk, then notify all listeners; None for one sent before. May raise a ``FileError``."""
         with self._changed:
             if self._is_known(message, protocol):
                 return None

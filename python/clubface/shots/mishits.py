@@ -108,7 +108,7 @@ def is_mishit(mishits: list[Mishit], count: int) -> NDArray[np.bool_]:
 
 
 def statistic(values: Floats, mishit: NDArray[np.bool_] | None = None) -> Statistic | None:
-    """Return the statistics of measured values, with a mask of mishits (used if all are); None if nothing was measured."""
+    """Return the statistics of values, with a mask of mishits (used if all are); None if nothing was measured."""
     known = np.isfinite(values)
     every = values[known]
     if not every.size:
