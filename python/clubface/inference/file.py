@@ -81,8 +81,7 @@ class ShotRows:
         launch = {name: float(shots.launches[name][place]) for name in self.launch}
         cells: list[Any] = [int(shots.rows[place]), *(_cell(launch[name], QUANTITIES[name]) for name in self.launch)]
         measured = {name: value for name, value in launch.items() if np.isfinite(value)}
-        club_data = {name: float(shots.deliveries[name][place]) for name in self.club}
-        club_data = {name: value for name, value in club_data.items() if np.isfinite(value)}
+        club_data = {name: each for name in self.club if np.isfinite(each := float(shots.deliveries[name][place]))}
         nothing = [""] * (4 * len(self.names) + 1)
         if not measured:
             return [*cells, *nothing, "no launch quantity was measured"]

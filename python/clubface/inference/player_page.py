@@ -24,11 +24,6 @@ from clubface.shots.mishits import Statistic, difference_error
 from clubface.shots.session_summary import ClubSummary
 from clubface.units import to_si
 
-__all__ = [
-    "change_note", "doubt_notes", "line_notes", "mishit_notes", "page_parts", "strike_notes", "typical_notes",
-    "what_if_notes",
-]  # fmt: skip
-
 TYPICAL = ("speed", "ball_speed", "launch", "total_spin")
 """Quantities of the typical shot, listed before carry and side."""
 CLUB_DATA = ("speed", "attack", "path", "face", "toe", "high")

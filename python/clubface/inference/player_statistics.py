@@ -29,8 +29,6 @@ from clubface.simulation.shot_shape import curve, shot_shape
 from clubface.support.arrays import Floats
 from clubface.support.checks import without_warnings
 
-__all__ = ["MOST_INFERRED", "ClubStatistics", "club_statistics", "with_computed_carry"]
-
 MOST_INFERRED, SAMPLES = 60, 200
 """Maximum number of shots of a club with inferred deliveries, spread evenly over all, and draws for each."""
 IN_ALL, FEWEST_INFERRED = 1200, 4
@@ -194,8 +192,7 @@ def _infer_deliveries(
 
 
 def _values_at(columns: dict[str, Floats], names: Any, place: int) -> dict[str, float]:
-    result = {name: float(columns[name][place]) for name in names if name in columns}
-    return {name: value for name, value in result.items() if math.isfinite(value)}
+    return {name: each for name in names if name in columns and math.isfinite(each := float(columns[name][place]))}
 
 
 def _changes(

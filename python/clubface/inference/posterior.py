@@ -31,8 +31,6 @@ from clubface.support.checks import check_choice
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Posterior", "pairs_picture"]
-
 FEWEST_EFFECTIVE = 400
 """Number of effective draws below which a sample should not be trusted."""
 SURPRISING = 0.001

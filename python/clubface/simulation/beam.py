@@ -18,8 +18,6 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Beam", "Modes", "added_inertia", "beam_axes", "cross_matrix", "head_on_beam", "modes", "natural_modes"]
-
 ELEMENTS = 60
 """Number of elements of a shaft; doubling it changes the inertia added to the head by less than 1e-4, relative."""
 GAUSS_POINTS, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(4)

@@ -35,8 +35,6 @@ from clubface.simulation.shot_shape import BIG_CURVE, STRAIGHT_CURVE, STRAIGHT_S
 from clubface.support.arrays import ValueLike
 from clubface.support.checks import without_warnings
 
-__all__ = ["Explanation", "WhatIf", "explain", "explanation_picture"]
-
 OFF_TOE, OFF_HIGH = 15e-3, 8e-3
 """Offsets from the face centre of the strikes shown for comparison [m]."""
 INSIDE = 0.3

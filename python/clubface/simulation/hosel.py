@@ -20,8 +20,6 @@ from clubface.simulation.launch import Launch, assumptions_of
 from clubface.simulation.pose import rotation_by
 from clubface.simulation.provenance import provenance_of
 
-__all__ = ["HoselReaction", "hosel_reaction"]
-
 AXES = ("to the target", "up", "towards the toe")
 INERTIA = ("ixx", "ixy", "ixz"), ("ixy", "iyy", "iyz"), ("ixz", "iyz", "izz")
 

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     PoseLike: TypeAlias = Pose | tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike]
     BallMotionLike: TypeAlias = "BallMotion | tuple[ArrayLike, ArrayLike, ArrayLike]"
 
-__all__ = ["BallMotion", "StepLoads", "SteppedContact", "StruckBall", "Wrench"]
-
 DEFAULT_MODEL = "volumetric"
 """Default contact model."""
 SPEED = 1.0

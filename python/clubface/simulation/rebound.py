@@ -18,9 +18,6 @@ from clubface.results.table import Table, column, table
 from clubface.simulation.impact import impact
 from clubface.support.checks import without_warnings
 
-__all__ = ["Rebound", "model_in_full", "rebound", "rebound_tables"]
-
-
 SPEED = 40.0
 """Head speed for the table over the angle of incidence [m/s]."""
 SPEEDS = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)

@@ -36,8 +36,6 @@ from clubface.support.arrays import Floats, ValueLike
 from clubface.support.checks import MOST_SEED, check_count, is_count, without_warnings
 from clubface.support.files import recorded
 
-__all__ = ["evaluate"]
-
 FEWEST_RESAMPLES = 100
 """Smallest number of resamples for an interval; several models need more, see ``fewest_resamples``."""
 SHORTEST = 0.02

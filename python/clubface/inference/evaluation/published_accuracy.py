@@ -24,8 +24,6 @@ from clubface.support.checks import Frozen, without_warnings
 from clubface.support.files import DATA
 from clubface.validation import benchmark_data
 
-__all__ = ["Pair", "PublishedAccuracy", "contradictions", "monitor_errors", "pairs", "published"]
-
 
 @dataclass(frozen=True, kw_only=True)
 class PublishedAccuracy:

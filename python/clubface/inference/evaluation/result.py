@@ -27,8 +27,6 @@ from clubface.shots.measured import DELIVERY, LAUNCH, QUANTITIES, MeasuredShots
 from clubface.shots.recorded import RejectedRow
 from clubface.support.arrays import Floats
 
-__all__ = ["Evaluation", "arrange_in_rows", "error_picture", "error_quantity", "refuse_input", "shot_tables"]
-
 SHOTS_FILE = "evaluation.csv"
 """File name of the table with every model's values for every shot."""
 TREND_COVARIATES = ("speed", "path", "toe", "high")

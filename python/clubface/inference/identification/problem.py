@@ -78,22 +78,17 @@ class FreeParameters:
     def columns(self, points: Floats, shots: int) -> list[Any]:
         """Return the core's parameter columns for points of shape (n, free), each repeated for all shots."""
         values = self.values(points)
-        columns = []
-        for name, value in self.fixed.values.items():
-            place = self._place(name)
-            columns.append(value if place is None else np.repeat(values[:, place], shots))
-        return columns
+        return [value if place is None else np.repeat(values[:, place], shots) for place, value in self._places()]
 
     def single(self, point: Floats) -> list[float]:
         """Return the value of every parameter at one point, in the order of the core."""
         values = self.values(point)
-        places = ((self._place(name), value) for name, value in self.fixed.values.items())
-        return [value if place is None else float(values[place]) for place, value in places]
+        return [value if place is None else float(values[place]) for place, value in self._places()]
 
     def driven(self) -> list[list[int]]:
         """Return, for each free parameter, the registry indices of itself and its followers."""
-        order = list(self.fixed.values)
-        return [[place for place, each in enumerate(order) if self.tied.get(each, each) == name] for name in self.names]
+        places = [place for place, _ in self._places()]
+        return [[index for index, place in enumerate(places) if place == free] for free in range(len(self))]
 
     def parameters(self, point: Floats, **labels: Any) -> ParameterSet:
         """Return the parameter set at one point; ``labels`` are its name, source and the like."""
@@ -105,9 +100,10 @@ class FreeParameters:
         """Return the registry entries of the free parameters."""
         return [model_named(self.fixed.model).parameter(name) for name in self.names]
 
-    def _place(self, name: str) -> int | None:
-        leader = self.tied.get(name, name)
-        return self.names.index(leader) if leader in self.names else None
+    def _places(self) -> list[tuple[int | None, float]]:
+        """Return the place among the free parameters that gives each parameter, if one does, and its fixed value."""
+        place_of = {name: place for place, name in enumerate(self.names)}
+        return [(place_of.get(self.tied.get(name, name)), value) for name, value in self.fixed.values.items()]
 
     def _scaled(self, values: Floats) -> Floats:
         """Return the logarithms of values searched on a logarithmic scale, the others as they are."""

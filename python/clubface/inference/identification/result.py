@@ -24,8 +24,6 @@ from clubface.shots.loft_origin import LoftOrigin
 from clubface.shots.recorded import RejectedRow
 from clubface.support.arrays import Floats
 
-__all__ = ["Deviation", "Identification"]
-
 COLUMNS = 4
 """Number of panels in a row of the picture."""
 HIGHEST = 3.0 * CHI_SQUARE_95

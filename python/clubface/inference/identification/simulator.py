@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from clubface import _core as core, units
 from clubface.errors import InputError
-from clubface.inference.evaluation.statistics import MONITOR
+from clubface.inference.evaluation.statistics import MONITOR, standard_deviations
 from clubface.inference.identification.problem import FreeParameters, PreparedShots
 from clubface.quantities import display_unit
 from clubface.simulation.launch_conditioned import solve_angles
@@ -279,18 +279,15 @@ def cost_of(
 
 def noise_of(quantities: tuple[str, ...], given: Mapping[str, Any] | None = None) -> Floats:
     """Return the standard deviation of each quantity [SI]: :data:`NOISE`, updated with the ``given`` values."""
-    given = dict(given or {})
-    check_names("quantity with noise", given, quantities)
-    deviations = []
+    check_names("quantity with noise", given or {}, quantities)
+    dimensions = {name: outputs()[name].dimension for name in quantities}
+    deviations = NOISE | standard_deviations(given, dimensions, "noise")
     for name in quantities:
-        deviation = given.get(name, NOISE.get(name))
-        if deviation is None:
+        if name not in deviations:
             raise InputError(f"noise of {name}", None, "give it, since no default noise is known for this quantity")
-        value = units.parse(deviation, outputs()[name].dimension, name=f"noise of {name}")
-        if not 0.0 < value < np.inf:
-            raise InputError(f"noise of {name}", deviation, "positive")
-        deviations.append(value)
-    return np.array(deviations)
+        if not 0.0 < deviations[name] < np.inf:
+            raise InputError(f"noise of {name}", deviations[name], "positive")
+    return np.array([deviations[name] for name in quantities])
 
 
 def _normalisers(
