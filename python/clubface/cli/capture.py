@@ -149,8 +149,7 @@ def template(
     bare=(bool, False, None, "Only three markers on the head and an address: no ball, no calibration."),
 ))  # fmt: skip
 def synthesize(
-    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")],
-    **texts: Any,
+    folder: Annotated[str, typer.Option("--output", "-o", metavar="FOLDER", help="Write to this folder.")], **texts: Any
 ) -> None:
     """Write swings with an exactly known delivery, with calibration, mapping file and truth."""
     from clubface.capture.synthetic.laboratory import BARE_RATE, Cameras, synthesize as write_usual, synthesize_bare

@@ -103,8 +103,7 @@ def listen(**texts: Any) -> None:
     ),
 )  # fmt: skip
 def send(
-    file: Annotated[str, options.argument("FILE", "Shots: a monitor's file, or a clubface table.")],
-    **texts: Any,
+    file: Annotated[str, options.argument("FILE", "Shots: a monitor's file, or a clubface table.")], **texts: Any
 ) -> None:
     """Send the launches of a table to a simulator over GSPro Open Connect, in place of a launch monitor."""
     from clubface.shots.open_connect import Sender
@@ -141,11 +140,7 @@ def send(
 
 @app.command()
 @options.takes(
-    READING,
-    HAND,
-    show.plot_option("where each club lands and the gaps between clubs"),
-    show.REPORT,
-    show.JSON,
+    READING, HAND, show.plot_option("where each club lands and the gaps between clubs"), show.REPORT, show.JSON
 )
 def summary(files: Files, **texts: Any) -> None:
     """Sum up the shots of each club: counts, means, spreads, and the gaps in carry."""

@@ -307,10 +307,7 @@ def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
 
 
 def parameter_sets(
-    names: Sequence[str],
-    family: str,
-    chosen: str | Iterable[str] | None = None,
-    settings: Sequence[str] | None = None,
+    names: Sequence[str], family: str, chosen: str | Iterable[str] | None = None, settings: Sequence[str] | None = None
 ) -> dict[str, Any]:
     """Return the parameter set of each model for a family of clubs.
 

@@ -13,9 +13,7 @@ app = typer.Typer(add_completion=False)
 
 
 @app.command()
-def schema(
-    name: Annotated[str | None, argument("[NAME]", "Print the schema of this kind of file.")] = None,
-) -> None:
+def schema(name: Annotated[str | None, argument("[NAME]", "Print the schema of this kind of file.")] = None) -> None:
     """List the kinds of TOML files, or print the JSON Schema of one for an editor."""
     from clubface.schema import FILES, file_schema, json_schema
 

@@ -26,8 +26,7 @@ _WITH_TEXT = "A monitor's file, whose spins are compared with the model and both
 @app.command()
 @options.takes(show.FOLDER, options.BALL, CHOICE, show.JSON)
 def validate(
-    session: Annotated[list[str] | None, options.option("--with", metavar="FILE", text=_WITH_TEXT)] = None,
-    **texts: Any,
+    session: Annotated[list[str] | None, options.option("--with", metavar="FILE", text=_WITH_TEXT)] = None, **texts: Any
 ) -> None:
     """Compare models with published figures, and show which ones they meet."""
     from clubface.validation.catalogue import check_named

@@ -142,16 +142,10 @@ _ADDRESS = re.compile(
 
 def write_document(blocks: Sequence[Block], path: str | os.PathLike[str]) -> Path:
     """Write a report to one file, HTML or Markdown by its ending; return its path."""
-    target = check_ending(path)
-    return write_text(target, as_html(blocks) if target.suffix.lower() == ".html" else as_markdown(blocks))
-
-
-def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Raise InputError for any other kind of report before any work is done."""
     target = Path(path)
     if target.suffix.lower() not in ENDINGS:
         raise InputError("output", str(path), f"a file whose name ends in {' or '.join(ENDINGS)}")
-    return target
+    return write_text(target, as_html(blocks) if target.suffix.lower() == ".html" else as_markdown(blocks))
 
 
 def as_html(blocks: Sequence[Block]) -> str:

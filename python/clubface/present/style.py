@@ -118,18 +118,12 @@ def legend_above(figure: Figure, lines: Iterable[Any], *, title: str | None = No
     legend.get_title().set_fontsize(8.5)
 
 
-def check_ending(path: str | os.PathLike[str]) -> Path:
-    """Raise InputError for a picture whose ending is not one of ``ENDINGS``."""
-    target = Path(path)
-    if target.suffix.lower() not in ENDINGS:
-        raise InputError("picture", os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
-    return target
-
-
 @styled
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write ``figure`` to ``path``, in the format of its ending; the same figure gives the same bytes."""
-    target = check_ending(path)
+    target = Path(path)
+    if target.suffix.lower() not in ENDINGS:
+        raise InputError("picture", os.fspath(path), f"a file ending in {', '.join(ENDINGS)}")
     with whole_file(target) as file:
         _render(figure, file, target.suffix.lower()[1:])
     return target

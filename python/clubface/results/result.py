@@ -155,8 +155,6 @@ class Result:
         Notes on the tables.
     hints
         Further options of the command; shown in the terminal only.
-    provenance
-        Provenance of the result.
     parts
         Results that it consists of, such as the clubs of a player; included in reports and JSON.
     placement

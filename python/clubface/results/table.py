@@ -248,10 +248,14 @@ def column(name: str, values: Any, like: str | Quantity | None = None, **options
 
     ``like`` may be the name of a quantity or an SI unit, such as "m".
     """
-    if like is None or isinstance(like, str):
-        quantity = quantity_named(name) if like is None else _like(name, like)
-    else:
+    if like is None or like == name:
+        quantity = quantity_named(name)
+    elif isinstance(like, Quantity):
         quantity = like
+    elif like in units.SI_UNITS.values():
+        quantity = quantity_named(name, like)
+    else:
+        quantity = quantity_named(like)._replace(label=name.replace("_", " "))
     return Column(name, _sequence(values), quantity, **options)
 
 
@@ -263,13 +267,6 @@ def text(name: str, values: Sequence[Any], **options: Any) -> Column:
 def row_names(name: str, names: Sequence[str], labels: Sequence[str]) -> tuple[Column, Column]:
     """Return the names of the rows for files, and their labels for print, both as the column ``name``."""
     return text(name, names, printed=False), text(f"{name} in words", labels, label=name, in_files=False)
-
-
-def _like(name: str, like: str) -> Quantity:
-    if like in units.SI_UNITS.values():
-        return quantity_named(name, like)
-    quantity = quantity_named(like)
-    return quantity if name == like else quantity._replace(label=name.replace("_", " "))
 
 
 def _sequence(values: Any) -> Sequence[Any]:

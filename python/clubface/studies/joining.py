@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -89,7 +89,8 @@ def join(
     target = None if output is None else Path(output)
     sums = {name: hashlib.sha256() for name in opened.columns}
     tally, tasks, processors = ChunkTally(), 0, dict[str, None]()
-    with _writer(target, opened) as write:
+    writer = _parquet_writer if target is not None and is_parquet(target) else _csv_writer
+    with nullcontext(lambda columns: None) if target is None else writer(target, opened) as write:
         for number, (columns, metadata) in enumerate(opened.parts(), 1):
             for name, each in columns.items():
                 sums[name].update(_summed_bytes(each))
@@ -110,13 +111,6 @@ def _summed_bytes(values: NDArray[Any] | Names) -> bytes:
     if isinstance(values, Names):
         return "".join(f"{values.choices[code]}\n" for code in values.codes.tolist()).encode()
     return values.astype("<f8", copy=False).tobytes()
-
-
-def _writer(path: Path | None, store: StudyStore) -> AbstractContextManager[Write]:
-    """Return a writer of the columns of each part to a file, or one that does nothing without a file."""
-    if path is None:
-        return nullcontext(lambda columns: None)
-    return _parquet_writer(path, store) if is_parquet(path) else _csv_writer(path, store)
 
 
 @contextmanager

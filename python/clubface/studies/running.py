@@ -376,15 +376,13 @@ def order(store: StudyStore, share: Shard) -> Iterator[int]:
 
 def _description(study: StudyFile, task: Task) -> dict[str, Any]:
     """Return the remaining record of a new study."""
-    axes = [
-        {"name": each.name, "unit": each.unit, "choices": each.choices, "count": each.count}
-        for each in study.design.axes
-    ]
+    axes = [{name: getattr(each, name) for name in ("name", "unit", "choices", "count")} for each in study.design.axes]
+    kept = {name: {each: list(of) for each, of in columns.items()} for name, columns in task.histories.items()}
     return {
         "chunk": chunk_size(study, task),
         "axes": axes,
         "columns": {name: list(each) for name, each in task.columns.items()},
-        **({"histories": _histories(task)} if task.histories else {}),
+        **({"histories": kept} if kept else {}),
         "provenance": {
             "name": study.name,
             "clubface_version": __version__,
@@ -398,11 +396,6 @@ def _description(study: StudyFile, task: Task) -> dict[str, Any]:
     }
 
 
-def _histories(task: Task) -> dict[str, Any]:
-    """Return the histories of a study in the form of its record."""
-    return {name: {each: list(of) for each, of in columns.items()} for name, columns in task.histories.items()}
-
-
 def _table_or_fingerprint(table: Mapping[str, Any]) -> Any:
     """Return a table for the record of every part; a very long table is replaced by its fingerprint."""
     return table if len(repr(table)) < LONGEST else fingerprint(table)
@@ -414,10 +407,6 @@ class Status(Described):
 
     Attributes
     ----------
-    name
-        Name of the study.
-    store
-        The folder of its store.
     tasks, chunks, chunk
         Total tasks and chunks, and tasks per chunk.
     done

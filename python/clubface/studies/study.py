@@ -29,6 +29,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +61,7 @@ from clubface.studies.designs import (
     design,
     table_columns,
 )
-from clubface.studies.kinds.kind import Column, Computed, DescribedStudy, Histories, Kind, Task, resolved
+from clubface.studies.kinds.kind import Computed, DescribedStudy, Kind, Task, resolved
 from clubface.support.checks import MOST_SEED, check_choice
 from clubface.support.files import InputRecord, absolute
 
@@ -97,12 +98,8 @@ class StudyFile:
 
     Attributes
     ----------
-    path
-        The file.
     name
         Name of the study; default the file's name without ending.
-    kind
-        Kind of study.
     table, sweep
         The kind's table and [sweep], as in the file.
     method, seed
@@ -139,6 +136,7 @@ class StudyFile:
 
     def content(self) -> dict[str, Any]:
         """Return everything the results depend on besides the version, by readable names."""
+        libraries = map(version, ("numpy", "scipy"))  # samples may depend on them
         return {
             "kind": self.kind.name,
             f"[{self.kind.name}]": self.table,
@@ -146,7 +144,7 @@ class StudyFile:
             "design": [self.method, self.design.count],
             **({"units": [sorted(self.units.items())]} if self.units else {}),
             **{f"file {name}": sum_ for name, sum_ in self.files().items()},
-            **({"seed or version of SciPy": [self.seed, *_generators()]} if self.method in SAMPLED else {}),
+            **({"seed or version of SciPy": [self.seed, *libraries]} if self.method in SAMPLED else {}),
             **({} if self.chunk is None else {"chunk": self.chunk}),
         }
 
@@ -177,12 +175,8 @@ class StudyFile:
         return error if isinstance(error, FileError) else Place(self.document, (self.kind.name,)).wrap(error)
 
 
-class Loaded:
-    """A task whose files have been read. See :class:`clubface.studies.kinds.kind.Task`."""
-
-    columns: Mapping[str, Column]
-    histories: Histories
-    depends_on: Mapping[str, str]
+class Loaded(Task):
+    """A task whose files have been read."""
 
     def __init__(self, task: Task, inputs: InputRecord) -> None:
         self.task, self.inputs = task, inputs
@@ -297,10 +291,8 @@ def _check_held(document: Document, kind: Kind, table: Mapping[str, Any], swept:
     for name, place, _ in inputs_named(shared, swept):
         if name in swept:
             line = document.line_of((kind.name, *place.split(".")))
-            where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'}"
-            raise InputError(
-                name, Wording(f"held and swept, {where} and in [sweep]"), "given in only one of the two places"
-            )
+            where = f"as {place} of [{kind.name}]{'' if line is None else f' in line {line}'} and in [sweep]"
+            raise InputError(name, Wording(f"held and swept, {where}"), "given in only one of the two places")
 
 
 def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, Any], head: StudyTable) -> Design:
@@ -323,10 +315,3 @@ def _design(document: Document, known: Mapping[str, Swept], sweep: Mapping[str, 
         if each.name in columns:
             raise InputError(each.name, Wording("given twice"), "in the table or in [sweep], not in both")
     return DesignRows(columns, axes)
-
-
-def _generators() -> tuple[str, str]:
-    """Return the versions of the sampling libraries, on which samples may depend."""
-    from importlib.metadata import version
-
-    return version("numpy"), version("scipy")

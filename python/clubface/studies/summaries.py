@@ -71,10 +71,6 @@ class Summary(Described):
 
     Attributes
     ----------
-    name
-        Name of the study.
-    tasks
-        Number of tasks.
     quantities
         SI units of the summarised quantities, by name.
     overall

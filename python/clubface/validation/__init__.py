@@ -8,9 +8,4 @@ they leave open.
 from clubface.validation.check import Check, Figure
 from clubface.validation.run import Validation, validate
 
-__all__ = [
-    "Check",
-    "Figure",
-    "Validation",
-    "validate",
-]
+__all__ = ["Check", "Figure", "Validation", "validate"]

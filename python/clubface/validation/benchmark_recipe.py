@@ -156,11 +156,7 @@ def _arc(recipe: Recipe, truth: Mapping[str, Floats], times: Floats) -> Floats:
 
 def _direction(velocity: Floats) -> dict[str, Floats]:
     speed = np.linalg.norm(velocity, axis=0)
-    return {
-        "speed": speed,
-        "attack": np.arcsin(velocity[1] / speed),
-        "path": np.arctan2(velocity[2], velocity[0]),
-    }
+    return {"speed": speed, "attack": np.arcsin(velocity[1] / speed), "path": np.arctan2(velocity[2], velocity[0])}
 
 
 def players_of(recipe: Recipe) -> NDArray[np.int64]:

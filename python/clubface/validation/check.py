@@ -142,8 +142,6 @@ class Check:
 
     Attributes
     ----------
-    name
-        A short name.
     title
         What is compared.
     sources

@@ -94,12 +94,8 @@ class Validation(Described):
 
     Attributes
     ----------
-    checks
-        The checks.
     figures
         The figures by model and name of the check.
-    ball
-        Name of the ball.
     """
 
     checks: tuple[Check, ...]

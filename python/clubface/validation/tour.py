@@ -162,10 +162,8 @@ class Tour(Described):
 
     Attributes
     ----------
-    table
-        The published table.
     averages
-        Its rows.
+        The rows of the published table.
     loft_is_published
         Whether the dynamic loft is published for each club; otherwise each model has its own.
     lofts
@@ -303,6 +301,10 @@ def tour(
                 for each, loft in zip(rows, lofts[name].tolist(), strict=True)
             ]
     warn_if_outside(launch for by_club in launches.values() for launch in by_club)
+    straight = {"sidespin": 0.0}  # the published launches, with pure backspin
+    published = (
+        {"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin, **straight} for each in rows
+    )
     return Tour(
         table=published_table(table),
         averages=rows,
@@ -311,7 +313,7 @@ def tour(
         solved_lofts=solved,
         launches=launches,
         values={name: _launch_values(hits) for name, hits in launches.items()},
-        carry_of_published=_published_carry(rows),
+        carry_of_published=np.array([fly(each).carry for each in published]),
     )
 
 
@@ -322,12 +324,6 @@ def _launch_values(launches: list[Launch]) -> dict[str, Floats]:
         "spin": np.array([each.total_spin for each in launches]),
         "carry": np.array([fly(each).carry for each in launches]),
     }
-
-
-def _published_carry(rows: Iterable[Average]) -> Floats:
-    """Return the carry of each published launch, assumed straight with pure backspin."""
-    launches = ({"ball_speed": each.ball_speed, "launch": each.launch, "backspin": each.spin} for each in rows)
-    return np.array([fly({**each, "sidespin": 0.0}).carry for each in launches])
 
 
 FLIGHT_ONLY = "flight only"

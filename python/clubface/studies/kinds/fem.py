@@ -171,11 +171,6 @@ def _kinds(kind: Table | Record, given: Mapping[str, Any]) -> Mapping[str, Value
     return {key: each.value for key, each in kind.keys().items()}
 
 
-def swept_keys(files: Iterable[VariedFile]) -> dict[str, Swept]:
-    """Return the sweepable keys of some files, by name."""
-    return {name: key.swept for each in files for name, key in each.keys.items()}
-
-
 def short_names(full: Iterable[str], taken: Iterable[str]) -> dict[str, str]:
     """Return unambiguous shorter names, such as ``cube`` for ``ball_cube``."""
     longer: dict[str, list[str]] = {}
@@ -206,7 +201,7 @@ def _swept_cases(table: Mapping[str, Any], sweep: Mapping[str, Any]) -> dict[str
 
 def _with_files(known: Mapping[str, Swept], files: Iterable[VariedFile | None]) -> dict[str, Swept]:
     """Return the sweepable inputs extended by keys of files, under full and unambiguous shorter names."""
-    own = swept_keys(each for each in files if each is not None)
+    own = {name: key.swept for each in files if each is not None for name, key in each.keys.items()}
     short = {name: own[full] for name, full in short_names(own, {*known, *own}).items()}
     return {**short, **own, **known}
 
@@ -326,10 +321,8 @@ def _history(impact: Impact, name: str) -> dict[str, Any]:
     """Return a history of a run, with three columns for each vector."""
     columns: dict[str, Any] = {}
     for known, values in getattr(impact, name).items():
-        along = (
-            {known: values} if values.ndim == 1 else {f"{known}_{axis}": values[:, i] for i, axis in enumerate(AXES)}
-        )
-        columns |= along
+        parts = {f"{known}_{axis}": each for axis, each in zip(AXES, values.T, strict=True)} if values.ndim > 1 else {}
+        columns |= parts or {known: values}
     return columns
 
 

@@ -22,7 +22,7 @@ from clubface.simulation.impact import Tally, impact
 from clubface.simulation.results import flight_outputs, outputs
 from clubface.studies.axes import Swept, inputs_named, number
 from clubface.studies.designs import Design
-from clubface.studies.kinds.kind import NO_HISTORIES, OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne
+from clubface.studies.kinds.kind import OUTPUTS, Column, Computed, DescribedStudy, Kind, OneByOne, Task
 from clubface.studies.kinds.shot_inputs import KEYS, ShotInputs, changed_table, is_parameter, replaced_by, swept_shots
 from clubface.support.checks import without_warnings
 
@@ -32,12 +32,8 @@ OTHER = "other"
 """The table with the changes in the second shot."""
 
 
-class Impacts:
-    """Launches and flights of a study. See :class:`clubface.studies.kinds.kind.Task`."""
-
-    columns: Mapping[str, Column]
-    histories = NO_HISTORIES
-    depends_on: Mapping[str, str]
+class Impacts(Task):
+    """Launches and flights of a study."""
 
     def __init__(self, study: DescribedStudy) -> None:
         self._design, self._shot_inputs = study.design, ShotInputs(study)
@@ -128,15 +124,8 @@ def _best_loft_task(study: DescribedStudy) -> OneByOne:
 BEST_LOFTS = Kind(name="best-loft", keys={**KEYS, "outputs": OUTPUTS}, swept=_swept_best_lofts, task=_best_loft_task)
 
 
-class Empty:
-    """The square of one input, after a given amount of work.
-
-    See :class:`clubface.studies.kinds.kind.Task`.
-    """
-
-    columns: Mapping[str, Column]
-    histories = NO_HISTORIES
-    depends_on: Mapping[str, str]
+class Empty(Task):
+    """The square of one input, after a given amount of work."""
 
     def __init__(self, study: DescribedStudy) -> None:
         self._design = study.design
@@ -196,12 +185,8 @@ def _second(study: DescribedStudy) -> DescribedStudy:
     return replace(study, table=table, sweep=sweep, design=design)
 
 
-class Comparisons:
-    """Two shots and their difference. See :class:`clubface.studies.kinds.kind.Task`."""
-
-    columns: Mapping[str, Column]
-    histories = NO_HISTORIES
-    depends_on: Mapping[str, str]
+class Comparisons(Task):
+    """Two shots and their difference."""
 
     def __init__(self, study: DescribedStudy) -> None:
         first = Impacts(_first(study))

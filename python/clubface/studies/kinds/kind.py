@@ -69,7 +69,7 @@ class Task(Protocol):
     """A computation: columns, histories, and what else may change their last bits besides study and version."""
 
     columns: Mapping[str, Column]
-    histories: Histories
+    histories: Histories = NO_HISTORIES
     depends_on: Mapping[str, str]
 
     def run(self, indices: range) -> Computed:
@@ -149,18 +149,14 @@ OUTPUTS = Items(TEXT, 1, allowed='a list of quantities, as in ["carry"]')
 """Schemas used in the tables of several kinds."""
 
 
-class OneByOne:
-    """Tasks computed one by one. See :class:`clubface.studies.kinds.kind.Task`.
+class OneByOne(Task):
+    """Tasks computed one by one.
 
     ``compute`` takes the swept inputs, numbers [SI] and names, and returns all results [SI] by name, or functions that
     compute them; without a result it raises an error. A history's name holds the arrays of its columns. ``columns`` and
     ``histories`` are those to keep. ``elements`` says that it uses finite elements, whose last digits depend on the
     processor.
     """
-
-    columns: Mapping[str, Column]
-    histories: Histories
-    depends_on: Mapping[str, str]
 
     def __init__(
         self,
