@@ -151,14 +151,9 @@ def result_of_clubs(clubs: list[ClubStatistics], shots: RecordedShots, loft_note
     inputs = {"file": sources, "read as": shots.format, "shots": str(len(shots)),
               "rows that gave no shot": str(len(shots.rejected)), "hand": hands or "not known"}  # fmt: skip
     launches = [each.launch for each in clubs if each.launch is not None]
-    return Result(
-        "player-report",
-        "Your shots, and what they say",
-        summary=tuple(summary),
-        provenance=provenance_of(launches, inputs | flight_conditions()),
-        draw=first.draw,
-        parts=parts,
-    )
+    made = provenance_of(launches, inputs | flight_conditions())
+    title = "Your shots, and what they say"
+    return Result("player-report", title, summary=tuple(summary), provenance=made, draw=first.draw, parts=parts)
 
 
 def _clubs_to_draw(clubs: Sequence[ClubStatistics]) -> set[int]:
@@ -183,13 +178,9 @@ def _player_parts(
     scale = _common_scale(clubs)
     page = page_parts(clubs, bag, loft_notes)
     is_drawn = id(clubs[0]) in drawn and any("carry" in each.spreads for each in bag)
-    return Result(
-        "player",
-        player,
-        draw=(lambda: [session_picture(theirs, bag)]) if is_drawn else None,
-        parts=(*page, *(_club_result(each, scale, id(each) in drawn) for each in clubs)),
-        placement="page",
-    )
+    draw = (lambda: [session_picture(theirs, bag)]) if is_drawn else None
+    parts = (*page, *(_club_result(each, scale, id(each) in drawn) for each in clubs))
+    return Result("player", player, draw=draw, parts=parts, placement="page")
 
 
 def _club_result(club: ClubStatistics, scale: _Scale, is_drawn: bool) -> Result:
@@ -205,18 +196,11 @@ def _club_result(club: ClubStatistics, scale: _Scale, is_drawn: bool) -> Result:
     sections.append(Result("section", "How sure we are", summary=tuple(doubt_notes(club))))
     title = club.title[:1].upper() + club.title[1:]
     tables = (_statistics_table(club), _shots_table(club), *([_changes_table(club)] if club.changes else []))
-    return Result(
-        "club",
-        title,
-        summary=tuple(typical_notes(club)),
-        draw=(lambda: [club_picture(club, scale)]) if is_drawn else None,
-        notes=tuple(mishit_notes(club)),
-        parts=(
-            *(each for each in sections if each.summary),
-            Result("figures", title, tables=tables, placement="appendix"),
-        ),
-        placement="page",
-    )
+    figures = Result("figures", title, tables=tables, placement="appendix")
+    parts = (*(each for each in sections if each.summary), figures)
+    draw = (lambda: [club_picture(club, scale)]) if is_drawn else None
+    summary, notes = tuple(typical_notes(club)), tuple(mishit_notes(club))
+    return Result("club", title, summary=summary, draw=draw, notes=notes, parts=parts, placement="page")
 
 
 def _statistics_table(club: ClubStatistics) -> Table:
@@ -306,16 +290,11 @@ def sessions_result(club: ClubStatistics) -> Iterator[Result]:
         title=f"From {labels[0]} to {labels[-1]}",
     )  # fmt: skip
     compared = note("player-sessions-compared", first=labels[0], last=labels[-1])
-    yield Result(
-        "sessions",
-        "From session to session",
-        summary=(note("player-sessions-spread"), compared if both else note("player-sessions-of-one-shot")),
-        tables=(table("sessions", *columns),),
-        notes=tuple(change_note(name, first[name], last[name]) for name in both),
-        parts=(Result("session-changes", f"{club.title} sessions", tables=(changed,), placement="appendix"),)
-        if both
-        else (),
-    )
+    summary = (note("player-sessions-spread"), compared if both else note("player-sessions-of-one-shot"))
+    notes = tuple(change_note(name, first[name], last[name]) for name in both)
+    figures = Result("session-changes", f"{club.title} sessions", tables=(changed,), placement="appendix")
+    tables, parts = (table("sessions", *columns),), (figures,) if both else ()
+    yield Result("sessions", "From session to session", summary=summary, tables=tables, notes=notes, parts=parts)
 
 
 def by_session(club: ClubStatistics) -> dict[str, dict[str, Statistic]]:

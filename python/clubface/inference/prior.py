@@ -94,9 +94,8 @@ class Prior:
 
     def __post_init__(self) -> None:
         if list(self.mean) != list(self.deviation):
-            raise InputError(
-                "deviation", list(self.deviation), f"given for the same quantities as the mean: {', '.join(self.mean)}"
-            )
+            allowed = f"given for the same quantities as the mean: {', '.join(self.mean)}"
+            raise InputError("deviation", list(self.deviation), allowed)
         for name in self.mean:
             check_choice("quantity of a delivery", name, OF_CLUB)
         for part in ("mean", "deviation"):
@@ -116,9 +115,8 @@ class Prior:
             np.linalg.cholesky(self._matrix())
         except np.linalg.LinAlgError:
             given = ", ".join(f"{' and '.join(pair)} {value}" for pair, value in self.correlations.items())
-            raise InputError(
-                "correlations", given, "consistent with each other, as in a positive definite matrix"
-            ) from None
+            allowed = "consistent with each other, as in a positive definite matrix"
+            raise InputError("correlations", given, allowed) from None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -180,11 +178,8 @@ def _named_prior(given: Any, head: Club) -> Prior:
         given = "elite" if head.name in of_elite else "wide" if _is_without_averages(head.name) else "tour"
     if given == "elite":
         if head.name not in of_elite:
-            raise InputError(
-                "prior",
-                "elite",
-                f'"tour", "wide" or a file for {head.name}: "elite" exists only for {" and ".join(HEADS)}',
-            )
+            allowed = f'"tour", "wide" or a file for {head.name}: "elite" exists only for {" and ".join(HEADS)}'
+            raise InputError("prior", "elite", allowed)
         return elite(of_elite[head.name])
     return tour(head) if given == "tour" else wide(head)
 
@@ -214,9 +209,8 @@ def tour(head: Club) -> Prior:
     """
     name = _tour_club(head.name)
     if name is None or _is_without_averages(head.name):
-        raise InputError(
-            "prior", "tour", f'{_OTHERS[name]} for {head.name}: "tour" exists only for {", ".join(TOUR_CLUBS)}'
-        )
+        allowed = f'{_OTHERS[name]} for {head.name}: "tour" exists only for {", ".join(TOUR_CLUBS)}'
+        raise InputError("prior", "tour", allowed)
     return _delivered_as(name, head)
 
 

@@ -176,9 +176,8 @@ class LaunchFunction(Differentiable):
         variables = tuple(variables)
         for name in variables:
             if name in inputs() and name not in known:
-                raise InputError(
-                    name, Wording("a variable"), "a plain number; derivatives with respect to it are not available"
-                )
+                allowed = "a plain number; derivatives with respect to it are not available"
+                raise InputError(name, Wording("a variable"), allowed)
         check_names("variable", variables, known)
         setup, chosen = equipped(model, club, ball, parameters)
         self.club, self.ball = setup.club, setup.ball

@@ -520,9 +520,8 @@ def as_values(delivery: DeliveryLike | None, values: Mapping[str, Any]) -> Mappi
         return values
     given = delivery.values() if isinstance(delivery, Delivery) else delivery
     if not isinstance(given, Mapping):
-        raise InputError(
-            "delivery", delivery, 'a Delivery or a mapping; give single values by name, as in speed="113 mph"'
-        )
+        allowed = 'a Delivery or a mapping; give single values by name, as in speed="113 mph"'
+        raise InputError("delivery", delivery, allowed)
     return {**given, **values}
 
 

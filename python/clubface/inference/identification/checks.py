@@ -42,9 +42,8 @@ def check_information(simulator: Simulator, point: Floats, noise: Floats) -> lis
     if different < 2:
         what = "the number of shots" if len(shots) == 1 else f"the number of different ones among {len(shots)} shots"
         advice = "at least two, with different deliveries: a single shot cannot show how good the fit is"
-        left = _undetermined_directions(
-            simulator.of(shots.select(np.array([0]))), point, noise
-        )  # copies add nothing to one
+        alone = simulator.of(shots.select(np.array([0])))  # copies add nothing to one
+        left = _undetermined_directions(alone, point, noise)
         raise InputError(what, different, advice + (f". It does not determine: {left}" if left else ""))
     kinds = int(np.isfinite(shots.launches).any(axis=1).sum())
     distinct = shots.distinct_deliveries()

@@ -264,18 +264,16 @@ def prepared_shots(
     compared = tuple(name for name in QUANTITIES if compared_at == DELIVERY or name not in SOLVED)
     asked = compared if quantities is None else _check_quantities(quantities)
     if met := set(asked) & set(SOLVED) - set(compared):
-        raise InputError(
-            "quantities", min(met), f"quantities other than those met at the launch: {', '.join(compared)}"
-        )
+        allowed = f"quantities other than those met at the launch: {', '.join(compared)}"
+        raise InputError("quantities", min(met), allowed)
     measured = measured_shots(
         recorded, club=club, only=only, mismatch=mismatch, quantities=asked, compared_at=compared_at
     )
     there = tuple(name for name, values in measured.launch.items() if np.isfinite(values).any())
     missing = [name for name in asked if name not in there]
     if missing and quantities is not None:
-        raise InputError(
-            "quantities", ", ".join(missing), f"measured quantities; those of {measured.source} are {', '.join(there)}"
-        )
+        allowed = f"measured quantities; those of {measured.source} are {', '.join(there)}"
+        raise InputError("quantities", ", ".join(missing), allowed)
     notes = [note("not-in-the-cost", names=missing)] if missing else []
     launches = np.array([measured.launch[name] for name in there])
     how: dict[str, Any] = {"model": parameters.model, "parameters": parameters, "ball": ball}
