@@ -46,12 +46,8 @@ def best_loft(**texts: Any) -> None:
     player = None if golfer is None else golfer_named(golfer)
     own = None if player is None or club is not None else "right" if player.hand > 0 else "left"
     club = club if club is not None else "driver" if player is None else club_of(player)
-    head = options.club_of(club, texts["hand"] or own, texts.get("model"))
     worth = options.pairs(texts["worth"] or (), "--worth")
-    setup = {
-        "club": head, "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
-        "accuracy": texts["accuracy"], **options.conditions(texts),
-    }  # fmt: skip
+    setup = options.setup(club, texts | {"hand": texts["hand"] or own}) | options.conditions(texts)
     compared = {"--objective": objective, "--hole": hole}
     if player is not None or loft is not None:
         if player is not None:
@@ -68,7 +64,6 @@ def best_loft(**texts: Any) -> None:
                 )
                 if text is not None
             })  # fmt: skip
-        options.check_accuracy([texts["model"]], texts["accuracy"])
         setup.pop("accuracy")
         played = None if hole is None else Hole(length=options.parsed("--hole", hole, "length"))
         with progress_bar(lambda done, whole, step: step) as update:

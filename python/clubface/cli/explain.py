@@ -20,13 +20,8 @@ def explain(club: options.ClubArgument, **texts: Any) -> None:
     """Explain, in words and a picture, where the ball starts and why it curves, with what-ifs."""
     output = show.Output.check(texts, [club, texts["ball"]])
     delivery = options.delivery(texts)
-    head = options.club_of(club, texts["hand"], texts["model"])
-    chosen = options.one_set(head, texts)
+    setup = options.setup(club, texts)
 
     from clubface.simulation.explanation import explain as explained
 
-    result = explained(
-        head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
-        **options.conditions(texts),
-    )  # fmt: skip
-    output.show(result.to_result())
+    output.show(explained(delivery=delivery, **setup, **options.conditions(texts)).to_result())

@@ -30,14 +30,7 @@ def inputs(club: options.ClubArgument, output: Source, **texts: Any) -> None:
     from clubface.export import inputs_csv
     from clubface.support.files import write_text
 
-    head = _head(club, texts)
-    text = inputs_csv(
-        head,
-        options.delivery(texts),
-        model=texts["model"],
-        parameters=options.one_set(head, {**texts, "accuracy": None}),
-        ball=texts["ball"],
-    )
+    text = inputs_csv(delivery=options.delivery(texts), **options.setup(club, texts))
     print_written([write_text(output, text)])
 
 
@@ -54,11 +47,9 @@ def casadi(club: options.ClubArgument, output: Source, **texts: Any) -> None:
     from clubface.simulation.inputs import DIMENSIONS
     from clubface.support.files import write_text
 
-    head = _head(club, texts)
     text = casadi_source(
-        head, options.quantities(texts, DIMENSIONS, {}), variables=options.names(texts["by"]) or None,
-        quantities=options.names(texts["quantity"]) or None, model=texts["model"],
-        parameters=options.one_set(head, texts), ball=texts["ball"], accuracy=texts["accuracy"],
+        **options.setup(club, texts), delivery=options.quantities(texts, DIMENSIONS, {}),
+        variables=options.names(texts["by"]) or None, quantities=options.names(texts["quantity"]) or None,
         **options.conditions(texts),
     )  # fmt: skip
     print_written([write_text(output, text)])
@@ -70,15 +61,4 @@ def fmu(club: options.ClubArgument, output: Source, **texts: Any) -> None:
     """Write a co-simulation unit (FMI 2.0 or 3.0): the ball that another program's head strikes."""
     from clubface.export import write_fmu
 
-    head, given = _head(club, texts), {**texts, "accuracy": None}
-    path = write_fmu(
-        output, head, model=texts["model"], parameters=options.one_set(head, given), ball=texts["ball"],
-        version=texts["standard"],
-    )  # fmt: skip
-    print_written([path])
-
-
-def _head(club: str, texts: dict[str, Any]) -> Any:
-    """Return the club with the hand and the shaft chosen by the options."""
-    head = options.club_of(club, texts["hand"], texts["model"])
-    return head if texts["shaft"] is None else head.on_shaft(texts["shaft"])
+    print_written([write_fmu(output, **options.setup(club, texts), version=texts["standard"])])

@@ -302,8 +302,16 @@ def check_accuracy(names: Iterable[str], accuracy: float | None) -> None:
 def one_set(head: Any, texts: Mapping[str, Any]) -> Any:
     """Return the parameter set chosen for a club by the options in ``options.ONE_MODEL``."""
     model = texts["model"]
-    check_accuracy([model], texts["accuracy"])
+    check_accuracy([model], texts.get("accuracy"))
     return parameter_sets([model], head.parameters, texts["parameters"], texts["setting"])[model]
+
+
+def setup(club: str, texts: Mapping[str, Any]) -> dict[str, Any]:
+    """Return club, model, parameters, ball and accuracy, as an impact takes them, as far as a command has options."""
+    head = club_of(club, texts["hand"], texts["model"])
+    head = head if texts.get("shaft") is None else head.on_shaft(texts["shaft"])
+    given = {name: texts[name] for name in ("model", "ball", "accuracy") if name in texts}
+    return {"club": head, "parameters": one_set(head, texts), **given}
 
 
 def parameter_sets(

@@ -13,9 +13,7 @@ from clubface.cli.recorded import CHOICE, assumed
 
 app = typer.Typer(add_completion=False)
 
-TAKEN = (
-    "accuracy", "carry", "rejects", "resume", "hand", "format", "mapping", "only", "where", "mismatch",
-)  # fmt: skip
+TAKEN = ("carry", "rejects", "resume", "hand", "format", "mapping", "only", "where", "mismatch")
 """Options passed to the function under the same names."""
 
 
@@ -43,17 +41,14 @@ def predict(
     **texts: Any,
 ) -> None:
     """Compute the launch of every delivery in a file."""
-    head = options.club_of(club, texts["hand"], texts.get("model"))
-    chosen = options.one_set(head, texts)
-    conditions = options.conditions(texts)
+    setup, conditions = options.setup(club, texts), options.conditions(texts)
 
     from clubface.shots.prediction import predict as compute
 
     with progress_bar(lambda part, whole, rows: f"{rows} deliveries") as update:
         report = compute(
-            deliveries, club=head, model=texts["model"], parameters=chosen, ball=texts["ball"],
-            output=texts["target"], units=options.pairs(texts["file_unit"] or (), "--unit"), assume=assumed(texts),
-            **{name: texts[name] for name in TAKEN},
+            deliveries, **setup, output=texts["target"], units=options.pairs(texts["file_unit"] or (), "--unit"),
+            assume=assumed(texts), **{name: texts[name] for name in TAKEN},
             progress=update and (lambda part, rows: update(part, 1.0, rows)), **conditions,
         )  # fmt: skip
     show.Output(as_json=texts["as_json"]).show(report.to_result())

@@ -24,8 +24,7 @@ def sensitivity(club: options.ClubArgument, **texts: Any) -> None:
     """Print how the launch changes with every input and parameter ("rpm per mm")."""
     output = show.Output.check(texts, [club])
     delivery = options.delivery(texts)
-    head = options.club_of(club, texts["hand"], texts["model"])
-    chosen = options.one_set(head, texts)
+    setup = options.setup(club, texts)
 
     from clubface.simulation.flight import Flight
     from clubface.simulation.results import outputs
@@ -38,7 +37,7 @@ def sensitivity(club: options.ClubArgument, **texts: Any) -> None:
                 "1 mph are worth in carry and side, and clubface compare splits differences of flights",
             )  # fmt: skip
     result = differentiate(
-        head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"], accuracy=texts["accuracy"],
+        delivery=delivery, **setup,
         outputs=options.names(texts["output"]) or (None if output.as_json else MAIN),
         variables=options.names(texts["by"]) or None,
     )  # fmt: skip
