@@ -62,14 +62,11 @@ def dispersion(golfer: GolferArgument, **texts: Any) -> None:
             raise ClubfaceError(f"--{name} has no effect with --no-flight; leave out one of them")
     player = golfer_named(golfer)
     own = None if club is not None else "right" if player.hand > 0 else "left"
-    head = options.club_of(
-        club_of(player) if club is None else club, own if texts["hand"] is None else texts["hand"], texts["model"]
-    )
+    hand = own if texts["hand"] is None else texts["hand"]
+    setup = options.setup(club_of(player) if club is None else club, texts | {"hand": hand})
+    setup |= {"flight": not no_flight, **options.conditions(texts)}
+    head = setup.pop("club")
     _check(player, head, texts["model"], count)
-    setup = {
-        "model": texts["model"], "parameters": options.one_set(head, texts), "ball": texts["ball"],
-        "flight": not no_flight, "accuracy": texts["accuracy"], **options.conditions(texts),
-    }  # fmt: skip
     played = _hole(**{name: texts[name] for name in HOLE})
     file = nullcontext() if output.target is None else shots_file(output.target, seed=seed)
     with progress_bar("shots") as progress, file as each:

@@ -51,23 +51,17 @@ def map_(club: options.ClubArgument, **texts: Any) -> None:
         raise InputError("--unit", hidden[0], "a quantity that is listed; name it with --quantity")
     counts = None if grid is None else _grid(grid)
     conditions = options.conditions(texts)
-    heads = [options.club_of(each, texts["hand"], texts.get("model")) for each in (club, minus) if each is not None]
-    if len(heads) == 2 and heads[0] == heads[1]:
+    setups = [options.setup(each, texts) for each in (club, minus) if each is not None]
+    if len(setups) == 2 and setups[0]["club"] == setups[1]["club"]:
         raise InputError("--minus", minus, "another club than the first")
-    sets = [options.one_set(head, texts) for head in heads]
 
     maps = []
-    for place, (head, chosen) in enumerate(zip(heads, sets, strict=True)):
+    for place, setup in enumerate(setups):
         kept = output.target if place == 0 or output.target is None else _second_store(output.target)
+        points = {"grid": counts} if not maps else {"points": (maps[0].toe, maps[0].high)}
         with progress_bar("points") as update:
-            maps.append(
-                map_face(
-                    head, delivery, model=chosen.model, parameters=chosen, ball=texts["ball"],
-                    accuracy=texts["accuracy"], grid=counts if not maps else None,
-                    points=None if not maps else (maps[0].toe, maps[0].high), output=kept, workers=texts["workers"],
-                    progress=update, **conditions,
-                )
-            )  # fmt: skip
+            how = {**setup, **points, **conditions, "output": kept, "workers": texts["workers"]}
+            maps.append(map_face(delivery=delivery, **how, progress=update))
     scatter = [] if deviations is None else [each.forgiveness(deviations, **about) for each in maps]
     mapped = maps[0] if len(maps) == 1 else FaceMapDifference(*maps)
     if output.target is not None:
