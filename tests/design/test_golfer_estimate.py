@@ -212,7 +212,7 @@ def test_too_few_shots_and_several_players_are_refused():
     with pytest.raises(InputError, match="at least 6"):
         estimate_golfer(strike_session(known(), 5, 1))
     players = np.array(["A", "B"] * 10, dtype=object)
-    with pytest.raises(InputError, match="one player"):
+    with pytest.raises(InputError, match="players"):
         estimate_golfer(strike_session(known(), 20, 1, players=players))
 
 
