@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from contextlib import suppress
@@ -15,6 +16,8 @@ def main() -> None:
     # The matrices of the commands are small. Starting OpenBLAS's threads costs more than a shot, and on a busy machine
     # they wait for each other: motion capture then takes ten times as long.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    # What modules define while they are loaded lives on. Searching it for garbage would take a twentieth of a shot.
+    gc.set_threshold(50_000)
     try:
         from clubface.cli.app import run
 

@@ -24,7 +24,6 @@ from clubface.equipment.models import model
 from clubface.equipment.parameters import ParameterSet, builtin_sets
 from clubface.errors import InputError, ShotError, UnknownNameError, Wording
 from clubface.schema import Choice, Items, PhysicalValue, file_key
-from clubface.simulation.pose import Head, Pose, delivery_of_pose, pose_of_delivery
 from clubface.simulation.results import input_columns, input_dimensions, inputs, translate_core_error
 from clubface.support.arrays import NumberOrArray, ValueLike, flat
 from clubface.support.checks import check_choice, check_names, whole
@@ -32,7 +31,9 @@ from clubface.support.files import is_path
 from clubface.support.processes import FAILED, check_request
 from clubface.units import parse_values
 
-if not TYPE_CHECKING:  # the same, short enough to read in the documentation
+if TYPE_CHECKING:
+    from clubface.simulation.pose import Head, Pose
+else:  # the same, short enough to read in the documentation
     ValueLike = float | str | Sequence[float] | Sequence[str]
 
 
@@ -148,6 +149,8 @@ class Delivery:
         --------
         Delivery.pose : the inverse.
         """
+        from clubface.simulation.pose import Pose, delivery_of_pose
+
         turn = _rotation(rotation)
         given = {
             "position": (position, "length"), "velocity": (velocity, "speed"),
@@ -185,6 +188,8 @@ class Delivery:
 
         Parameters and axes are those of :meth:`from_pose`.
         """
+        from clubface.simulation.pose import pose_of_delivery
+
         setup = equipment(club, ball)
         head = head_of(setup, hand)
         values = {name: np.asarray(value) for name, value in self.values().items()}
@@ -244,6 +249,8 @@ class Equipment(NamedTuple):
 
 def head_of(setup: Equipment, hand: HandLike | None = None) -> Head:
     """Return the geometry of head and ball that determines first touch."""
+    from clubface.simulation.pose import Head
+
     values = dict(zip(inputs(), setup.columns, strict=True))
     cg = values["cg_x"], values["cg_y"], values["cg_z"]
     hand = values[_HAND] if hand is None else hand_value(hand)

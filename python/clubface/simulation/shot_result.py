@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,12 +24,14 @@ from clubface.simulation.flight import (
     has_measured_run,
     trajectory,
 )
-from clubface.simulation.history import History
 from clubface.simulation.impact import backend_of
 from clubface.simulation.inputs import HandLike
 from clubface.simulation.launch import Comparison, Launch, assumptions_of, rigid_faces
 from clubface.simulation.provenance import flight_conditions, flight_input_words, provenance_of
 from clubface.simulation.results import Batch, Series, flight_inputs
+
+if TYPE_CHECKING:
+    from clubface.simulation.history import History
 
 QUANTITIES = (
     "ball_speed", "smash", "launch", "azimuth", "backspin", "sidespin", "total_spin", "spin_axis", "carry", "side",
