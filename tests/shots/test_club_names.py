@@ -20,6 +20,7 @@ from clubface.shots.club_names import club_kind, may_be, same_club
         ("Pitching Wedge", "pitching-wedge"), ("PitchingWedge", "pitching-wedge"), ("Gap Wedge 50", "gap-wedge"),
         ("SW 56", "sand-wedge"), ("56", "56-wedge"), ("56°", "56-wedge"), ("60 deg Wedge", "60-wedge"),
         ("Putter", "putter"), ("G425 Max", None), ("", None), ("Club 3", None), ("12", None), ("TSR 62 X", None),
+        ("9" * 5000 + " iron", None),
         # In the languages of golf.
         ("P-Wedge", "pitching-wedge"), ("P.W.", "pitching-wedge"), ("PWedge", "pitching-wedge"),
         ("S Wedge", "sand-wedge"), ("A-Wedge", "gap-wedge"), ("Sandwedge", "sand-wedge"),

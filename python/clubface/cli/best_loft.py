@@ -31,8 +31,8 @@ SEARCH = options.group(
 
 @app.command("best-loft")
 @options.takes(
-    options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, options.WORTH, show.UNITS, show.TABLE,
-    show.plot_option("best lofts and carries, those of a chart, or what loft is worth"), show.REPORT, show.JSON, SEARCH,
+    SEARCH, options.EQUIPMENT, options.ONE_MODEL, options.AIR, options.GROUND, options.WORTH, show.UNITS, show.TABLE,
+    show.plot_option("best lofts and carries, those of a chart, or what loft is worth"), show.REPORT, show.JSON,
 )  # fmt: skip
 def best_loft(**texts: Any) -> None:
     """Find the best dynamic loft: for a golfer, by club speed, or compared with a published chart."""

@@ -181,8 +181,12 @@ WORTH = group(None, worth=(Texts, None, "NAME=VALUE", _WORTH))
 """Option for differences too small to notice, which are not ranked."""
 
 
+OUTPUT = ("unit", "target", "folder", "plot", "report", "resume", "as_json")
+"""Options that stand last in the help, since they do not change what is computed."""
+
+
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Add the options of ``groups`` to a command, after its own required arguments, as keyword arguments."""
+    """Add the options of ``groups`` to a command, after its own arguments, as keyword arguments."""
     added = {name: each for group in groups for name, each in group.items()}
 
     def with_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -193,8 +197,9 @@ def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]
             for name, (annotation, default) in added.items()
         ]
         required = [each for each in plain if each.default is each.empty]
-        rest = [each for each in plain if each.default is not each.empty]
-        command.__signature__ = inspect.Signature([*required, *shared, *rest])  # pyright: ignore[reportFunctionMemberAccess]
+        rest = [*(each for each in plain if each.default is not each.empty), *shared]
+        rest.sort(key=lambda each: OUTPUT.index(each.name) if each.name in OUTPUT else -1)
+        command.__signature__ = inspect.Signature([*required, *rest])  # pyright: ignore[reportFunctionMemberAccess]
         return command
 
     return with_options
