@@ -64,6 +64,7 @@ def club_kind(name: str) -> str | None:
     after = [(second, first) for first, second in pairs if len(first) > 1 or len(words) == 2]
     for number, word in (*pairs, *after):
         family = _FAMILIES.get(word) or (_SHORT.get(word) if (number, word) in after and len(words) == 2 else None)
+        # int() refuses a number of thousands of digits.
         if family and number.isdecimal() and len(number) <= 2 and int(number) in _NUMBERS[family]:
             return "driver" if (number, family) == ("1", "wood") else f"{int(number)}-{family}"
     return "hybrid" if len(words) == 1 and len(words[0]) > 1 and _FAMILIES.get(words[0]) == "hybrid" else None
