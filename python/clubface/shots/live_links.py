@@ -150,7 +150,7 @@ class LiveLinks:
             try:
                 for message in listener.messages():
                     self._remark_ready(message)
-            except ClubfaceError as error:  # the shot could not be kept; the monitor has been told in the answer
+            except ClubfaceError as error:  # the shot could not be kept; the monitor gets the error in the answer
                 self.remark(str(error))
 
     def _start_relay(self, where: str | int) -> str:
