@@ -168,7 +168,9 @@ def test_names_of_properties_are_read_from_comments(tmp_path, comment):
     named = "\n".join(comment.format(place, name) for place, name in enumerate(reversed(PARTS), 1))
     walls = coarse_walls()
     turned = walls._replace(parts={name: walls.parts[name] for name in reversed(PARTS)})
-    text = named + "\n" + re.sub(r"\$HMNAME.*\n", "", nastran(turned))
+    text = (
+        named + "\n" + comment.format("9" * 5000, "no property") + "\n" + re.sub(r"\$HMNAME.*\n", "", nastran(turned))
+    )
     (tmp_path / "head.bdf").write_text(text)
     head = read(tmp_path / "head.bdf")
     assert [part.elements for part in head.parts] == [part.elements for part in coarse_head().parts]

@@ -18,15 +18,15 @@ THICKNESS = {"CQUAD4": 11, "CQUADR": 11, "CTRIA3": 11, "CTRIAR": 11}
 SOLIDS = {"CTETRA": 4, "CHEXA": 8, "CPENTA": 6, "CPYRAM": 5, "CPYRA": 5}
 """Number of corners of solid elements."""
 BARS = ("CBAR", "CBEAM", "CROD", "CONROD", "CBUSH", "CELAS1", "CELAS2", "CONM1", "CTUBE", "RBE2", "RBE3", "RBAR")
-COMPONENT = re.compile(r'\$HMNAME\s+COMPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"\s*(?P<property>\d+)?')
+COMPONENT = re.compile(r'\$HMNAME\s+COMPS?\s+(?P<number>\d{1,10})\s*"(?P<name>[^"]*)"\s*(?P<property>\d{1,10})?')
 """A component of HyperMesh, sometimes with the property of its elements. Numbers of components and properties differ,
 except in files that name no properties."""
-MEMBERS = re.compile(r"\$HMMOVE\s+(?P<number>\d+)\s*$")
+MEMBERS = re.compile(r"\$HMMOVE\s+(?P<number>\d{1,10})\s*$")
 """Start of a list of the elements of a component, in fields of 8 characters."""
 NAMES = (
-    re.compile(r'\$HMNAME\s+PROPS?\s+(?P<number>\d+)\s*"(?P<name>[^"]*)"'),  # HyperMesh
-    re.compile(r"\$ANSA_NAME(?:_COMMENT)?;(?P<number>\d+);PSHELL;~?(?P<name>[^;]*)"),
-    re.compile(r"\$.*\bproperty\s+(?P<number>\d+)\s*[:=]\s*(?P<name>.+)", re.IGNORECASE),  # Femap
+    re.compile(r'\$HMNAME\s+PROPS?\s+(?P<number>\d{1,10})\s*"(?P<name>[^"]*)"'),  # HyperMesh
+    re.compile(r"\$ANSA_NAME(?:_COMMENT)?;(?P<number>\d{1,10});PSHELL;~?(?P<name>[^;]*)"),
+    re.compile(r"\$.*\bproperty\s+(?P<number>\d{1,10})\s*[:=]\s*(?P<name>.+)", re.IGNORECASE),  # Femap
 )
 """Comments that name a property."""
 BEFORE = re.compile(r"\$\*?.*?\b(?:property|region|pshell|physical property|set)\b[^:]*:\s*(?P<name>.+)", re.IGNORECASE)
