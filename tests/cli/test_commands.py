@@ -35,6 +35,14 @@ def test_every_command_has_help_and_says_json_where_it_computes(clubface_):
         )  # those are groups, but the last two: one prints nothing else, one serves pages
 
 
+@pytest.mark.parametrize(
+    ("command", "own"), [("best-loft", "--club"), ("capture read", "--target"), ("validate", "--check")]
+)
+def test_help_lists_what_is_computed_before_where_it_is_written(clubface_, command, own):
+    words = clubface_(*command.split(), "--help").out.split()
+    assert words.index(own) < words.index("--output") < words.index("--json")
+
+
 def test_models_lists_the_registry(clubface_):
     assert [row["model"] for row in clubface_("models", "--json").rows()] == list(clubface.models())
     assert "jorgensen" in clubface_("models").out

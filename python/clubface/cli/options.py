@@ -181,8 +181,16 @@ WORTH = group(None, worth=(Texts, None, "NAME=VALUE", _WORTH))
 """Option for differences too small to notice, which are not ranked."""
 
 
-OUTPUT = ("unit", "target", "folder", "plot", "report", "resume", "as_json")
+OUTPUT = ("--unit", "--output", "--plot", "--report", "--resume", "--json")
 """Options that stand last in the help, since they do not change what is computed."""
+
+
+def _flag(parameter: inspect.Parameter) -> str:
+    """Return the name of an option on the command line."""
+    # In an annotation, Typer takes the first of several names for the default.
+    info = parameter.annotation.__metadata__[-1]
+    declared = (each for each in (info.default, *(info.param_decls or ())) if str(each).startswith("--"))
+    return next(declared, f"--{parameter.name}")
 
 
 def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -198,7 +206,7 @@ def takes(*groups: Group) -> Callable[[Callable[..., None]], Callable[..., None]
         ]
         required = [each for each in plain if each.default is each.empty]
         rest = [*(each for each in plain if each.default is not each.empty), *shared]
-        rest.sort(key=lambda each: OUTPUT.index(each.name) if each.name in OUTPUT else -1)
+        rest.sort(key=lambda each: OUTPUT.index(_flag(each)) if _flag(each) in OUTPUT else -1)
         command.__signature__ = inspect.Signature([*required, *rest])  # pyright: ignore[reportFunctionMemberAccess]
         return command
 
